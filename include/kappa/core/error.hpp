@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace kappa {
+
+enum class ErrorCode {
+  InvalidArgument,  ///< a parameter is out of its range
+  InvalidData,      ///< points, normals or faces that no result can be had from
+  FileNotFound,
+  FileFormat,  ///< malformed, or a format or variant that is not read
+  FileWrite,
+  Unavailable,  ///< something the machine lacks, such as a display
+};
+
+/// A call that cannot be served. The message names what was wrong (parameter or
+/// file, value) and what to do about it, in one sentence fit for a user.
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ErrorCode code() const noexcept { return code_; }
+
+ private:
+  ErrorCode code_;
+};
+
+/// Thrown when `Execution::cancel` was raised; all outputs are untouched.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+/// Outcome of a call on an interface that must not throw (the PCL adaptor).
+class Status {
+ public:
+  Status() = default;
+  Status(ErrorCode code, std::string message) : ok_(false), code_(code), message_(std::move(message)) {}
+  bool ok() const noexcept { return ok_; }
+  /// Meaningful only if not ok().
+  ErrorCode code() const noexcept { return code_; }
+  const std::string& message() const noexcept { return message_; }
+
+ private:
+  bool ok_ = true;
+  ErrorCode code_ = ErrorCode::InvalidArgument;
+  std::string message_;
+};
+
+}  // namespace kappa

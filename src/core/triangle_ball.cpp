@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/core/triangle_ball.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace kappa {
+namespace {
+
+/// Flatter triangles, as height over longest edge, go through the boundary form.
+constexpr double kSliver = 1e-3;
+/// So do triangles whose longest edge is smaller than the radius by more than this factor.
+constexpr double kSmall = 100;
+/// Below this height over longest edge the plane of a triangle is too uncertain to measure a distance to.
+constexpr double kPlaneless = 1e-6;
+constexpr double kTiniest = 1e-300;
+
+double distance_sq_to_segment(const Vec3& a, const Vec3& b) {
+  const Vec3 e = b - a;
+  const double length_sq = e.squaredNorm();
+  const double t = length_sq > 0 ? std::clamp(-a.dot(e) / length_sq, 0.0, 1.0) : 0.0;
+  return (a + t * e).squaredNorm();
+}
+
+double longest_edge_sq(const std::array<Vec3, 3>& x) {
+  return std::max({(x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()});
+}
+
+/// Area and first moment of a part of the disc, relative to the disc's centre.
+struct DiscPart {
+  double area = 0;
+  Vec3 moment = Vec3::Zero();
+};
+
+/// Unit vector along v, or 0 if v is 0.
+Vec3 direction(const Vec3& v) { return v / std::sqrt(std::max(v.squaredNorm(), kTiniest)); }
+
+/// Adds twice the area and the moments of (disc centre, a, b) n disc for the edge from `a` in direction `e`:
+/// a chord part, and sectors beyond it on either side. Signed, so that the three edges of a triangle add up to it.
+void add_edge(const Vec3& a, const Vec3& e, double length, const Vec3& n, double r_sq, double r, DiscPart& part) {
+  const double h = n.dot(a.cross(e));
+  const double ta = a.dot(e), tb = ta + length;
+  const double w = std::sqrt(std::max(0.0, r_sq - h * h));
+  const double sa = std::clamp(ta, -w, w), sb = std::clamp(tb, -w, w);
+
+  // Product of the two complex numbers whose arguments are the angles of the sectors: one atan2 an edge.
+  const double re_a = ta * sa + h * h, im_a = h * (sa - ta);
+  const double re_b = sb * tb + h * h, im_b = h * (tb - sb);
+  const double theta = std::atan2(re_a * im_b + im_a * re_b, re_a * re_b - im_a * im_b);
+  const double chord = h * (sb - sa);
+  part.area += 0.5 * (chord + r_sq * theta);
+
+  const Vec3 to_line = h * e.cross(n);  // from the disc's centre to the line of the edge
+  const Vec3 pa = to_line + ta * e, qa = to_line + sa * e, qb = to_line + sb * e, pb = to_line + tb * e;
+  // For an end inside the disc both directions are the same number and cancel exactly.
+  const Vec3 turn = (direction(qa) - direction(pa)) + (direction(pb) - direction(qb));
+  part.moment += (chord / 6) * (qa + qb) + (r * r_sq / 3) * turn.cross(n);
+}
+
+}  // namespace
+
+double distance_sq_to_triangle(const std::array<Vec3, 3>& x) {
+  double least = std::min({distance_sq_to_segment(x[0], x[1]), distance_sq_to_segment(x[1], x[2]),
+                           distance_sq_to_segment(x[2], x[0])});
+  const Vec3 n = (x[1] - x[0]).cross(x[2] - x[0]);
+  const double n_sq = n.squaredNorm(), longest_sq = longest_edge_sq(x);
+  if (n_sq <= kPlaneless * kPlaneless * longest_sq * longest_sq) return least;
+  bool above = true;  // the origin projects inside the triangle
+  for (std::size_t i = 0; i < 3; ++i) above = above && n.dot(x[i].cross(x[(i + 1) % 3])) >= 0;
+  if (!above) return least;
+  const double d = n.dot(x[0]);
+  return std::min(least, d * d / n_sq);
+}
+
+bool triangle_meets_ball(const std::array<Vec3, 3>& x, double radius) {
+  return distance_sq_to_triangle(x) <= radius * radius;
+}
+
+namespace detail {
+
+TriangleShare share_by_sectors(const std::array<Vec3, 3>& x, double radius) {
+  const Vec3 e1 = x[1] - x[0], e2 = x[2] - x[0];
+  const Vec3 normal = e1.cross(e2);
+  const double twice_area = normal.norm();
+  const Vec3 n = normal / twice_area;
+  const double d = n.dot(x[0]);
+  const double r_sq = radius * radius - d * d;
+  if (r_sq <= 0) return {};
+  const double r = std::sqrt(r_sq);
+  DiscPart part;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 edge = x[(i + 1) % 3] - x[i];
+    const double length = edge.norm();
+    add_edge(x[i], edge / length, length, n, r_sq, r, part);
+  }
+  if (part.area <= 0) return {};
+  const Vec3 centroid = part.moment / part.area + d * n - x[0];
+  const double b1 = std::clamp(n.dot(centroid.cross(e2)) / twice_area, 0.0, 1.0);
+  const double b2 = std::clamp(n.dot(e1.cross(centroid)) / twice_area, 0.0, 1.0 - b1);
+  return {std::min(1.0, 2 * part.area / twice_area), b1, b2};
+}
+
+}  // namespace detail
+
+TriangleShare triangle_ball_share(const std::array<Vec3, 3>& x, double radius) {
+  const double radius_sq = radius * radius;
+  // A ball is convex: it holds the triangle if it holds the corners.
+  if (x[0].squaredNorm() <= radius_sq && x[1].squaredNorm() <= radius_sq && x[2].squaredNorm() <= radius_sq)
+    return {1.0, 1.0 / 3, 1.0 / 3};
+  if (!triangle_meets_ball(x, radius)) return {};
+  const double longest_sq = longest_edge_sq(x);
+  const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
+  if (twice_area <= kDegenerateRatio * longest_sq) return detail::share_of_simplex(x, radius);
+  if (twice_area < kSliver * longest_sq || radius_sq > kSmall * kSmall * longest_sq)
+    return detail::share_by_boundary(x, radius);
+  return detail::share_by_sectors(x, radius);
+}
+
+}  // namespace kappa
