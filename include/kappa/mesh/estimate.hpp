@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kappa/core/curvatures.hpp"
+#include "kappa/mesh/ball_sum.hpp"
+
+namespace kappa {
+
+/// Curvature at one point, with what it was computed from.
+struct CurvatureSample {
+  Curvatures k;
+  double mu0 = kNaN, mu1 = kNaN, mu2 = kNaN;  ///< measures of the ball; NaN where the point is invalid
+  double area = kNaN;                         ///< of the faces in the ball, un-corrected
+  double coverage = kNaN;  ///< area / (pi radius^2), falls at borders and holes; NaN at radius 0
+  Index face_count = 0;    ///< triangles met, parts of polygons counting singly
+};
+
+/// Curvature at every vertex or point, for one radius.
+struct CurvatureField {
+  double radius = 0;
+  std::vector<CurvatureSample> samples;
+};
+
+/// What the measures at radius 0 of a vertex are.
+enum class VertexLimit {
+  Star,  ///< sum over the whole incident faces
+  Limit  ///< limit for radius -> 0+: sum over the incident triangles of angle x measure / area
+};
+
+struct CurvatureOptions {
+  /// Radii of the measuring balls, in units of the data; 0 is the vertex limit (meshes only).
+  std::vector<double> radii = {0.0};
+  BallDefinition ball = BallDefinition::ExactDensity;
+  QuadMeasures quads = QuadMeasures::Split;
+  VertexLimit vertex_limit = VertexLimit::Star;
+};
+
+/// @throws Error InvalidArgument if there is no radius or one is negative or not finite.
+void validate(const CurvatureOptions& options);
+
+/// Curvatures of the balls around `centres`, with the corrected normals `u` there, one field a radius.
+/// A centre or normal that is not finite, or a zero normal, gives PointStatus::Invalid.
+/// @throws Error InvalidArgument if sizes differ or a radius is not positive.
+std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
+                                                const Normals& u, const std::vector<double>& radii,
+                                                BallDefinition ball, const Execution& run = {});
+
+/// Curvatures at radius 0 at the vertices of the mesh that the triangles were made of; no ball, so no coverage.
+/// @throws Error InvalidArgument if u.size() is not the number of its vertices.
+CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const Normals& u, VertexLimit limit,
+                                    const Execution& run = {});
+
+/// Counts of each PointStatus, and percentiles of the curvatures: what a summary shows.
+struct FieldSummary {
+  std::size_t valid = 0, empty = 0, degenerate = 0, invalid = 0;
+  /// 1st, 50th and 99th percentile of the valid samples; NaN if there is none.
+  struct Percentiles {
+    double p1 = kNaN, p50 = kNaN, p99 = kNaN;
+  } mean, gaussian, k_min, k_max;
+};
+FieldSummary summarise(const CurvatureField& field);
+
+}  // namespace kappa

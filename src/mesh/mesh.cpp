@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/mesh/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "kappa/core/error.hpp"
+
+namespace kappa {
+
+void Faces::add(const Index* corners, std::size_t count) {
+  corners_.insert(corners_.end(), corners, corners + count);
+  offsets_.push_back(corners_.size());
+}
+
+void Faces::add(Index a, Index b, Index c) {
+  const Index corners[3] = {a, b, c};
+  add(corners, 3);
+}
+
+void Faces::reserve(std::size_t faces, std::size_t corners) {
+  offsets_.reserve(faces + 1);
+  corners_.reserve(corners);
+}
+
+void Faces::clear() {
+  corners_.clear();
+  offsets_.assign(1, 0);
+}
+
+const Field* Scan::field(const std::string& name) const {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+Bounds bounds(const std::vector<Vec3>& points) {
+  Bounds b;
+  for (const Vec3& p : points) {
+    if (!is_finite(p)) continue;
+    b.min = b.min.cwiseMin(p);
+    b.max = b.max.cwiseMax(p);
+  }
+  return b;
+}
+
+Vec3 choose_origin(const Bounds& bounds) {
+  Vec3 origin = Vec3::Zero();
+  if (bounds.empty()) return origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double extent = bounds.max[axis] - bounds.min[axis];
+    const double centre = bounds.min[axis] + 0.5 * extent;
+    // Closer to 0 a local origin gains nothing. Beyond, every coordinate lies within a factor 2 of the origin, so
+    // that the difference is exact (Sterbenz) and so is adding the origin back.
+    if (std::abs(centre) <= 4 * extent) continue;
+    const double unit = std::exp2(std::floor(std::log2(std::max(extent, std::abs(centre) * 0x1p-40))));
+    const double rounded = std::round(centre / unit) * unit;
+    origin[axis] = std::abs(rounded - centre) <= 0.25 * std::abs(centre) ? rounded : centre;
+  }
+  return origin;
+}
+
+void move_to_local_origin(Scan& scan) {
+  const Vec3 shift = choose_origin(bounds(scan.points));
+  if (shift.isZero(0)) return;
+  for (Vec3& p : scan.points) p -= shift;
+  scan.origin += shift;
+}
+
+Mesh mesh_of(const Scan& scan) {
+  if (!scan.is_mesh()) throw Error(ErrorCode::InvalidData, "the data has no faces; triangulate the points first");
+  Mesh mesh;
+  mesh.origin = scan.origin;
+  mesh.vertices = scan.points;
+  mesh.faces = scan.faces;
+  return mesh;
+}
+
+void validate(const Mesh& mesh) {
+  const std::size_t faces = mesh.faces.size();
+  if (!mesh.weights.empty() && mesh.weights.size() != faces)
+    throw Error(ErrorCode::InvalidData, std::to_string(mesh.weights.size()) + " face weights for " +
+                                            std::to_string(faces) + " faces: give one a face, or none");
+  for (std::size_t f = 0; f < faces; ++f) {
+    const Faces::View face = mesh.faces[f];
+    const std::string name = "face " + std::to_string(f);
+    if (face.size() < 3)
+      throw Error(ErrorCode::InvalidData, name + " has " + std::to_string(face.size()) + " corners: at least 3 needed");
+    for (const Index v : face) {
+      if (v >= mesh.vertices.size())
+        throw Error(ErrorCode::InvalidData, name + " has vertex " + std::to_string(v) + ": indices must be below " +
+                                                std::to_string(mesh.vertices.size()));
+    }
+    if (!(mesh.weight(f) > 0 && std::isfinite(mesh.weight(f))))
+      throw Error(ErrorCode::InvalidData,
+                  name + " has weight " + std::to_string(mesh.weight(f)) + ": weights must be positive and finite");
+  }
+}
+
+double median_edge_length(const Mesh& mesh) {
+  std::vector<double> lengths;
+  lengths.reserve(mesh.faces.corners().size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Faces::View face = mesh.faces[f];
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const double length = (mesh.vertices[face[(i + 1) % face.size()]] - mesh.vertices[face[i]]).norm();
+      if (std::isfinite(length) && length > 0) lengths.push_back(length);
+    }
+  }
+  if (lengths.empty()) return kNaN;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+}  // namespace kappa
