@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kappa/mesh/ball_sum.hpp"
+#include "kappa/mesh/estimate.hpp"
+
+namespace kappa {
+
+/// Ball sums by a FLANN radius search over the centroids of the triangles, the reference engine.
+///
+/// Triangles are sorted in classes by the octave of their bounding radius around the centroid, one
+/// index a class, so that one huge triangle does not widen every search. A triangle that the search
+/// places inside the ball is added whole, one at the rim by exact intersection.
+/// Cost: about linear in the number of triangles in the ball.
+class FlannBallSum final : public BallSum {
+ public:
+  explicit FlannBallSum(MeasuredTriangles triangles);
+  ~FlannBallSum() override;
+  const MeasuredTriangles& triangles() const override;
+
+ private:
+  void do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
+              const Execution& run, const Sink& sink) const override;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Curvatures of `mesh` with corrected normals `u` at its vertices, one field for each of `options.radii`.
+/// @throws Error InvalidArgument or InvalidData as `measure_triangles` and `validate` do.
+std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run = {});
+
+}  // namespace kappa

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/search/flann_ball_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "kd_tree.hpp"
+
+namespace kappa {
+namespace {
+
+constexpr std::size_t kBlock = 64;
+
+/// Triangles whose bounding radii around their centroids lie within one octave.
+struct SizeClass {
+  std::vector<Index> triangles;  ///< along a space-filling curve
+  std::unique_ptr<KdTree> centroids;
+  double bound = 0;  ///< largest bounding radius
+};
+
+Vec3 centroid(const MeasuredTriangles& t, std::size_t i) {
+  const auto& c = t.corners[i];
+  const Vec3& x0 = t.x[c[0]];
+  return x0 + ((t.x[c[1]] - x0) + (t.x[c[2]] - x0)) / 3.0;
+}
+
+double bounding_radius(const MeasuredTriangles& t, std::size_t i) {
+  const Vec3 centre = centroid(t, i);
+  double bound_sq = 0;
+  for (const Index v : t.corners[i]) bound_sq = std::max(bound_sq, (t.x[v] - centre).squaredNorm());
+  return std::sqrt(bound_sq);
+}
+
+SizeClass make_class(const MeasuredTriangles& t, const std::vector<double>& bounds, std::vector<Index> members) {
+  std::vector<Vec3> centres(members.size());
+  std::transform(members.begin(), members.end(), centres.begin(), [&](Index i) { return centroid(t, i); });
+  SizeClass c;
+  std::vector<Vec3> sorted;
+  for (const Index i : spatial_order(centres)) {
+    c.triangles.push_back(members[i]);
+    sorted.push_back(centres[i]);
+    c.bound = std::max(c.bound, bounds[members[i]]);
+  }
+  c.centroids = std::make_unique<KdTree>(sorted);
+  return c;
+}
+
+/// What one thread needs over and over.
+struct Workspace {
+  std::vector<Index> found;
+  std::vector<double> distances_sq;
+  std::vector<BallMeasures> sums;
+};
+
+}  // namespace
+
+struct FlannBallSum::Impl {
+  MeasuredTriangles triangles;
+  std::vector<double> bounds;  ///< of each triangle
+  std::vector<SizeClass> classes;
+
+  explicit Impl(MeasuredTriangles measured) : triangles(std::move(measured)) {
+    std::map<int, std::vector<Index>> octaves;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      bounds.push_back(bounding_radius(triangles, i));
+      const int octave = bounds.back() > 0 ? std::ilogb(bounds.back()) : std::numeric_limits<int>::min();
+      octaves[octave].push_back(static_cast<Index>(i));
+    }
+    for (auto& [octave, members] : octaves) classes.push_back(make_class(triangles, bounds, std::move(members)));
+  }
+
+  /// Adds triangle `t`, whose centroid is at `distance` from the centre, to the ball of `radius`.
+  void add(std::size_t t, double distance, const Vec3& centre, double radius, BallDefinition ball,
+           BallMeasures& to) const {
+    constexpr double kRounding = 1e-12;
+    if (distance + bounds[t] <= radius * (1 - kRounding)) {
+      to.sum += triangles.measures[t];
+      ++to.face_count;
+    } else if (distance - bounds[t] <= radius * (1 + kRounding)) {
+      add_triangle_in_ball(triangles, t, centre, radius, ball, to);
+    }
+  }
+
+  void query(const Vec3& centre, const std::vector<double>& radii, double largest, BallDefinition ball,
+             Workspace& w) const {
+    constexpr double kMargin = 1 + 1e-9;
+    w.sums.assign(radii.size(), {});
+    if (!is_finite(centre)) return;
+    for (const SizeClass& c : classes) {
+      c.centroids->within(centre, (largest + c.bound) * kMargin, w.found, w.distances_sq);
+      for (std::size_t i = 0; i < w.found.size(); ++i) {
+        const double distance = std::sqrt(w.distances_sq[i]);
+        for (std::size_t r = 0; r < radii.size(); ++r)
+          add(c.triangles[w.found[i]], distance, centre, radii[r], ball, w.sums[r]);
+      }
+    }
+  }
+};
+
+FlannBallSum::FlannBallSum(MeasuredTriangles triangles) : impl_(std::make_unique<Impl>(std::move(triangles))) {}
+FlannBallSum::~FlannBallSum() = default;
+
+const MeasuredTriangles& FlannBallSum::triangles() const { return impl_->triangles; }
+
+void FlannBallSum::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
+                          const Execution& run, const Sink& sink) const {
+  if (radii.empty()) return;
+  const double largest = *std::max_element(radii.begin(), radii.end());
+  const std::vector<Index> order = spatial_order(centres);
+  std::vector<Workspace> workspaces(static_cast<std::size_t>(thread_count(run)));
+  parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
+    Workspace& w = workspaces[static_cast<std::size_t>(worker)];
+    for (std::size_t i = begin; i < end; ++i) {
+      impl_->query(centres[order[i]], radii, largest, ball, w);
+      sink(order[i], w.sums.data());
+    }
+  });
+}
+
+std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run) {
+  validate(options);
+  FlannBallSum balls(measure_triangles(mesh, u, options.quads, stage(run, 0.0, 0.1)));
+  std::vector<double> radii;
+  std::copy_if(options.radii.begin(), options.radii.end(), std::back_inserter(radii), [](double r) { return r > 0; });
+  std::vector<CurvatureField> of_balls =
+      estimate_curvatures(balls, mesh.vertices, u, radii, options.ball, stage(run, 0.1, 1.0));
+  std::vector<CurvatureField> fields;
+  auto next = of_balls.begin();
+  for (const double radius : options.radii) {
+    fields.push_back(radius > 0 ? std::move(*next++)
+                                : estimate_at_vertices(balls.triangles(), u, options.vertex_limit));
+  }
+  return fields;
+}
+
+}  // namespace kappa
