@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "command.hpp"
+#include "kappa/core/error.hpp"
+#include "kappa/io/read.hpp"
+#include "kappa/view/figure.hpp"
+#include "surface_options.hpp"
+
+namespace kappa::app {
+namespace {
+
+struct RenderArguments {
+  std::string input, output, field, range, camera, size, unit;
+  FigureOptions figure;
+  ScalarStyle style;
+  bool labels = false, edges = false, sequential = false, quiet = false;
+};
+
+void declare_style(CLI::App& command, RenderArguments& arguments) {
+  command.add_option("--field", arguments.field, "Field to draw; default: mean_curvature, else the first of the file");
+  command.add_flag("--labels", arguments.labels, "Draw the labels of `kappa segment` with a legend");
+  command.add_option("--range", arguments.range, "LOW,HIGH of the colours; default: from percentiles, about 0");
+  command.add_option("--percentile", arguments.style.percentile, "Percentile the colours are clipped at")
+      ->check(CLI::Range(50.1, 100.0))
+      ->capture_default_str();
+  command.add_flag("--sequential", arguments.sequential, "A colour map for fields without a sign");
+  command.add_option("--unit", arguments.unit, "Unit of length of the data, shown as 1/unit");
+  command.add_option("--directions", arguments.figure.directions, "Principal directions: none, min, max, both")
+      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, Directions>>{
+          {"none", Directions::None}, {"min", Directions::Min}, {"max", Directions::Max}, {"both", Directions::Both}}))
+      ->option_text("WHICH=none");
+}
+
+void declare_render(CLI::App& command, RenderArguments& arguments) {
+  command.add_option("input", arguments.input, "Result of `kappa curvature` or `kappa segment`, or any scan")
+      ->required();
+  command.add_option("output", arguments.output, "Picture: .png")->required();
+  declare_style(command, arguments);
+  command.add_option("--title", arguments.figure.title, "Text above the picture");
+  command.add_option("--camera", arguments.camera, "AZIMUTH,ELEVATION in degrees; default: chosen from the shape");
+  command.add_option("--size", arguments.size, "WIDTH,HEIGHT in pixels")->option_text("W,H=1600,1000");
+  command.add_option("--point-size", arguments.figure.point_size, "Diameter of points in pixels, 0 to close the gaps")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_flag("--edges", arguments.edges, "Draw the edges of the faces");
+  command.add_flag("--quiet", arguments.quiet, "Say nothing");
+}
+
+FigureOptions figure_options(const RenderArguments& arguments, const Scan& scan) {
+  FigureOptions options = arguments.figure;
+  options.edges = arguments.edges ? Edges::Shown : Edges::Hidden;
+  if (!arguments.camera.empty()) {
+    const std::vector<double> angles = parse_numbers("--camera", arguments.camera, 2);
+    options.camera = Camera{angles[0], angles[1], 1.0};
+  }
+  if (!arguments.size.empty()) {
+    const std::vector<double> size = parse_numbers("--size", arguments.size, 2);
+    options.width = static_cast<int>(std::clamp(size[0], 0.0, 1e6));
+    options.height = static_cast<int>(std::clamp(size[1], 0.0, 1e6));
+  }
+  if (options.directions != Directions::None) options.direction_fields = direction_fields(scan);
+  return options;
+}
+
+const Field& choose_field(const RenderArguments& arguments, const Scan& scan) {
+  const std::string wanted = arguments.field.empty() ? "mean_curvature" : arguments.field;
+  if (const Field* field = scan.field(wanted)) return *field;
+  if (arguments.field.empty() && !scan.fields.empty()) return scan.fields.front();
+  std::string names;
+  for (const Field& field : scan.fields) names += " " + field.name;
+  throw Error(ErrorCode::InvalidData, arguments.input + " has no field '" + wanted + "'; " +
+                                          (names.empty() ? "it has none: run `kappa curvature` on it first"
+                                                         : "give one of:" + names));
+}
+
+/// "mean curvature" for mean_curvature, with the unit the field has.
+ScalarStyle style_of(const RenderArguments& arguments, const Field& field) {
+  ScalarStyle style = arguments.style;
+  style.name = field.name;
+  std::replace(style.name.begin(), style.name.end(), '_', ' ');
+  const bool gaussian = field.name.rfind("gaussian", 0) == 0;
+  const bool curvature = gaussian || field.name.rfind("mean_curvature", 0) == 0 || field.name.rfind("k_m", 0) == 0;
+  if (curvature) style.unit = "1/" + (arguments.unit.empty() ? "length" : arguments.unit) + (gaussian ? "\u00b2" : "");
+  const bool has_sign = std::any_of(field.values.begin(), field.values.end(), [](double v) { return v < 0; });
+  if (arguments.sequential || (!curvature && !has_sign)) style.map = ColourMap::Sequential;
+  if (!arguments.range.empty()) {
+    const std::vector<double> range = parse_numbers("--range", arguments.range, 2);
+    style.range = ColourRange{range[0], range[1]};
+  }
+  return style;
+}
+
+std::vector<Label> labels_of(const RenderArguments& arguments, const Scan& scan) {
+  const Field* field = scan.field(arguments.field.empty() ? "label" : arguments.field);
+  if (!field)
+    throw Error(ErrorCode::InvalidData, arguments.input + " has no labels; run `kappa segment` on it first");
+  std::vector<Label> labels;
+  for (const double value : field->values) {
+    const bool known = value >= 0 && value < kLabelCount && value == std::floor(value);
+    labels.push_back(known ? static_cast<Label>(static_cast<int>(value)) : Label::Undefined);
+  }
+  return labels;
+}
+
+void run_render(const RenderArguments& arguments) {
+  const Scan scan = read_scan(arguments.input);
+  const FigureOptions options = figure_options(arguments, scan);
+  if (arguments.labels) {
+    draw_labels(arguments.output, scan, labels_of(arguments, scan), options);
+  } else {
+    const Field& field = choose_field(arguments, scan);
+    draw_scalar(arguments.output, scan, field.values, style_of(arguments, field), options);
+  }
+  if (!arguments.quiet) std::printf("written     %s\n", arguments.output.c_str());
+}
+
+}  // namespace
+
+void add_render(CLI::App& program) {
+  add_command<RenderArguments>(program, "render", "A picture without a display", declare_render, run_render);
+}
+
+}  // namespace kappa::app

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "summary.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "json.hpp"
+
+namespace kappa::app {
+namespace {
+
+using Percentiles = FieldSummary::Percentiles;
+
+struct NamedPercentiles {
+  const char* name;
+  const Percentiles& p;
+};
+
+std::array<NamedPercentiles, 4> percentiles_of(const FieldSummary& s) {
+  return {{{"mean_curvature", s.mean}, {"gaussian_curvature", s.gaussian}, {"k_min", s.k_min}, {"k_max", s.k_max}}};
+}
+
+std::array<std::size_t, kLabelCount> count_labels(const std::vector<Label>& labels) {
+  std::array<std::size_t, kLabelCount> counts{};
+  for (const Label label : labels) ++counts[static_cast<std::size_t>(label)];
+  return counts;
+}
+
+void print_points(const Measured& m) {
+  const Surface& s = m.surface;
+  std::printf("points      %zu", m.scan.points.size());
+  if (s.duplicate_points) std::printf(", %zu at the position of another", s.duplicate_points);
+  if (s.invalid_points) std::printf(", %zu without a position", s.invalid_points);
+  if (s.normalless_points) std::printf(", %zu without a normal", s.normalless_points);
+  if (s.starless_points) std::printf(", %zu without faces (isolated or on a line)", s.starless_points);
+  std::printf("\nsurface     %s: %zu faces, median edge %s", name(s.kind), s.mesh.faces.size(),
+              short_number(s.spacing).c_str());
+  const std::size_t dropped = m.balls->triangles().dropped_faces;
+  if (dropped) std::printf(", %zu faces left out (a corner lacks position or normal)", dropped);
+  std::printf("\nnormals     %s, sign by %s\n", name(s.normals), name(s.orientation));
+}
+
+void print_field(const CurvatureField& field, bool automatic) {
+  const FieldSummary s = summarise(field);
+  std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(),
+              automatic ? " (automatic, 5 median edges)" : "", s.valid);
+  if (s.empty) std::printf(", %zu with no face in the ball", s.empty);
+  if (s.degenerate) std::printf(", %zu with vanishing area", s.degenerate);
+  if (s.invalid) std::printf(", %zu without position or normal", s.invalid);
+  std::printf("\n  %-20s %12s %12s %12s\n", "percentile", "1 %", "50 %", "99 %");
+  for (const NamedPercentiles& n : percentiles_of(s))
+    std::printf("  %-20s %12s %12s %12s\n", n.name, short_number(n.p.p1).c_str(), short_number(n.p.p50).c_str(),
+                short_number(n.p.p99).c_str());
+}
+
+void print_segments(const SegmentSummary& s) {
+  std::printf("labels      a curvature below %s counts as 0 (%s)\n", short_number(s.threshold).c_str(),
+              s.estimated ? "estimated" : "given");
+  const auto counts = count_labels(s.segmentation.labels);
+  const double total = static_cast<double>(s.segmentation.labels.size());
+  std::array<std::size_t, kLabelCount> regions{};
+  for (const Region& region : s.segmentation.table) ++regions[static_cast<std::size_t>(region.label)];
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    std::printf("  %-20s %11.1f %% %8zu regions\n", label_name(static_cast<Label>(i)),
+                100 * static_cast<double>(counts[i]) / total, regions[i]);
+  }
+}
+
+void print_text(const CurvatureArguments& arguments, const Measured& m, const std::vector<SegmentSummary>& segments,
+                const std::vector<Stages::Timed>& timed) {
+  print_points(m);
+  for (std::size_t r = 0; r < m.fields.size(); ++r) {
+    print_field(m.fields[r], m.automatic);
+    if (r < segments.size()) print_segments(segments[r]);
+  }
+  std::printf("seconds    ");
+  for (const auto& stage : timed) std::printf(" %s %.2f", stage.name.c_str(), stage.seconds);
+  std::printf("\nwritten     %s\n", arguments.output.c_str());
+}
+
+Json percentiles_json(const FieldSummary& s) {
+  Json json;
+  for (const NamedPercentiles& n : percentiles_of(s))
+    json.add(n.name, Json().add("p1", n.p.p1).add("p50", n.p.p50).add("p99", n.p.p99));
+  return json;
+}
+
+Json segments_json(const SegmentSummary& s) {
+  Json labels;
+  const auto counts = count_labels(s.segmentation.labels);
+  for (std::size_t i = 0; i < counts.size(); ++i) labels.add(label_name(static_cast<Label>(i)), counts[i]);
+  return Json()
+      .add("threshold", s.threshold)
+      .add("estimated", s.estimated ? std::size_t{1} : std::size_t{0})
+      .add("regions", s.segmentation.table.size())
+      .add("labels", labels);
+}
+
+Json field_json(const CurvatureField& field) {
+  const FieldSummary s = summarise(field);
+  return Json()
+      .add("radius", field.radius)
+      .add("valid", s.valid)
+      .add("empty", s.empty)
+      .add("degenerate", s.degenerate)
+      .add("invalid", s.invalid)
+      .add("percentiles", percentiles_json(s));
+}
+
+void print_json(const CurvatureArguments& arguments, const Measured& m, const std::vector<SegmentSummary>& segments,
+                const std::vector<Stages::Timed>& timed) {
+  std::vector<std::string> fields;
+  for (std::size_t r = 0; r < m.fields.size(); ++r) {
+    Json field = field_json(m.fields[r]);
+    if (r < segments.size()) field.add("segments", segments_json(segments[r]));
+    fields.push_back(field.text());
+  }
+  Json seconds;
+  for (const auto& stage : timed) seconds.add(stage.name, stage.seconds);
+  const Surface& s = m.surface;
+  std::printf("%s\n", Json()
+                          .add("input", arguments.input)
+                          .add("output", arguments.output)
+                          .add("points", m.scan.points.size())
+                          .add("faces", s.mesh.faces.size())
+                          .add("dropped_faces", m.balls->triangles().dropped_faces)
+                          .add("duplicate_points", s.duplicate_points)
+                          .add("invalid_points", s.invalid_points)
+                          .add("normalless_points", s.normalless_points)
+                          .add("starless_points", s.starless_points)
+                          .add("surface", name(s.kind))
+                          .add("normals", name(s.normals))
+                          .add("orientation", name(s.orientation))
+                          .add("spacing", s.spacing)
+                          .add_list("fields", fields)
+                          .add("seconds", seconds)
+                          .text()
+                          .c_str());
+}
+
+}  // namespace
+
+std::string short_number(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+void print_summary(const CurvatureArguments& arguments, const Measured& measured,
+                   const std::vector<SegmentSummary>& segments, const std::vector<Stages::Timed>& timed) {
+  if (arguments.run.json) {
+    print_json(arguments, measured, segments, timed);
+  } else if (!arguments.run.quiet) {
+    print_text(arguments, measured, segments, timed);
+  }
+}
+
+}  // namespace kappa::app

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface_options.hpp"
+
+#include <cmath>
+
+namespace kappa::app {
+namespace {
+
+double parse_number(const std::string& option, const std::string& text) {
+  double value = kNaN;
+  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value))
+    throw CLI::ValidationError(option, "'" + text + "' is not a finite number");
+  return value;
+}
+
+template <class Enum>
+CLI::CheckedTransformer one_of(const std::vector<std::pair<std::string, Enum>>& names) {
+  return CLI::CheckedTransformer(names);
+}
+
+}  // namespace
+
+void declare(CLI::App& command, RunOptions& options) {
+  command.add_option("--threads", options.threads, "Threads, 0 for all; the result does not depend on it")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of whatever draws random numbers")->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "No progress bar and no summary");
+  command.add_flag("--json", options.json, "Summary as one JSON object on standard output");
+}
+
+void declare(CLI::App& command, SurfaceArguments& options) {
+  SurfaceOptions& s = options.surface;
+  command.add_option("--surface", s.surface, "Faces: auto, faces (of the file), umbrella (of a cloud)")
+      ->transform(one_of<SurfaceKind>({{"auto", SurfaceKind::Auto},
+                                       {"faces", SurfaceKind::Faces},
+                                       {"umbrella", SurfaceKind::Umbrella}}))
+      ->option_text("KIND=auto");
+  command.add_option("--neighbours", s.neighbours, "Points in each star of an umbrella surface")
+      ->check(CLI::Range(3, 255))
+      ->capture_default_str();
+  command.add_option("--normals", s.normals, "auto, input, geometric, area, angle, max (from faces), pca (from points)")
+      ->transform(one_of<NormalsKind>({{"auto", NormalsKind::Auto},
+                                       {"input", NormalsKind::Input},
+                                       {"geometric", NormalsKind::Geometric},
+                                       {"area", NormalsKind::Area},
+                                       {"angle", NormalsKind::Angle},
+                                       {"max", NormalsKind::Max},
+                                       {"pca", NormalsKind::Pca}}))
+      ->option_text("KIND=auto");
+  command.add_option("--normal-neighbours", s.normal_neighbours, "Points that a plane is fitted to for pca")
+      ->check(CLI::Range(3, 100000))
+      ->capture_default_str();
+  command.add_option("--smooth", s.averaging_passes, "Averaging passes over the normals")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
+  command.add_option("--orient", options.orient, "auto, up, viewpoint [X,Y,Z] or input: sign of the normals")
+      ->expected(1, 2)
+      ->option_text("HOW=auto");
+  command.add_flag("--flip", options.flip, "Turn all normals round");
+}
+
+SurfaceOptions surface_options(const SurfaceArguments& arguments) {
+  SurfaceOptions options = arguments.surface;
+  if (arguments.orient.empty()) return options;
+  const std::string& how = arguments.orient.front();
+  if (how == "up") {
+    options.orientation = Orientation::Up;
+  } else if (how == "input") {
+    options.orientation = Orientation::Input;
+  } else if (how == "viewpoint") {
+    options.orientation = Orientation::Viewpoint;
+  } else if (how != "auto") {
+    throw CLI::ValidationError("--orient", "'" + how + "' is not one of auto, up, viewpoint, input");
+  }
+  if (arguments.orient.size() == 1) return options;
+  if (how != "viewpoint") throw CLI::ValidationError("--orient", "only viewpoint takes coordinates");
+  const std::vector<double> v = parse_numbers("--orient", arguments.orient[1], 3);
+  options.viewpoint = Vec3(v[0], v[1], v[2]);
+  return options;
+}
+
+void declare(CLI::App& command, MeasureArguments& options) {
+  command.add_option("--radius", options.radii, "Radius of the ball in input units, several by commas, or auto")
+      ->delimiter(',')
+      ->option_text("R[,R...]=auto");
+  command.add_option("--ball", options.ball, "Cut faces by exact density or by area fraction: exact, fraction")
+      ->transform(one_of<BallDefinition>(
+          {{"exact", BallDefinition::ExactDensity}, {"fraction", BallDefinition::AreaFraction}}))
+      ->option_text("KIND=exact");
+  command.add_option("--quads", options.quads, "Quads as four triangles or as bilinear patches: split, bilinear")
+      ->transform(one_of<QuadMeasures>({{"split", QuadMeasures::Split}, {"bilinear", QuadMeasures::Bilinear}}))
+      ->option_text("KIND=split");
+  command.add_option("--vertex-limit", options.limit, "At radius 0: whole faces around or limit of balls: star, limit")
+      ->transform(one_of<VertexLimit>({{"star", VertexLimit::Star}, {"limit", VertexLimit::Limit}}))
+      ->option_text("KIND=star");
+  command.add_option("--engine", options.engine, "How balls are summed: flann")
+      ->check(CLI::IsMember({"flann"}))
+      ->capture_default_str();
+}
+
+std::vector<double> parse_radii(const std::vector<std::string>& radii) {
+  if (radii.empty() || (radii.size() == 1 && radii.front() == "auto")) return {};
+  std::vector<double> values;
+  for (const std::string& text : radii) {
+    values.push_back(parse_number("--radius", text));
+    if (values.back() < 0) throw CLI::ValidationError("--radius", "'" + text + "' is negative");
+  }
+  return values;
+}
+
+std::vector<double> parse_numbers(const std::string& option, const std::string& text, std::size_t count) {
+  std::vector<double> values;
+  for (const std::string& part : CLI::detail::split(text, ',')) values.push_back(parse_number(option, part));
+  if (values.size() != count)
+    throw CLI::ValidationError(option, "'" + text + "' is not " + std::to_string(count) + " numbers with commas");
+  return values;
+}
+
+}  // namespace kappa::app
