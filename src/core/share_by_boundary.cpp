@@ -193,7 +193,7 @@ TriangleShare share_by_boundary(const std::array<Vec3, 3>& x, double radius) {
   weights[(f.first + 1) % 3] = b;
   weights[(f.first + 2) % 3] = c;
   const Real share = std::min(Real(1), 2 * sum.area / (length * height));
-  return {static_cast<double>(share), static_cast<double>(weights[1]), static_cast<double>(weights[2])};
+  return {static_cast<double>(share), static_cast<double>(weights[1]), static_cast<double>(weights[2]), true};
 }
 
 }  // namespace kappa::detail

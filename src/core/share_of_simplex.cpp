@@ -50,7 +50,7 @@ TriangleShare share_of_simplex(const std::array<Vec3, 3>& x, double radius) {
   }
   const Vec3 edge = x[(longest + 1) % 3] - x[longest];
   const double length = edge.norm();
-  if (length == 0) return x[0].norm() <= radius ? TriangleShare{1.0, 1.0 / 3, 1.0 / 3} : TriangleShare{};
+  if (length == 0) return x[0].norm() <= radius ? TriangleShare{1.0, 1.0 / 3, 1.0 / 3, true} : TriangleShare{};
   const Vec3 e = edge / length;
   const Vec3 to_line = x[longest] - x[longest].dot(e) * e;
   const double w_sq = radius * radius - to_line.squaredNorm();
@@ -68,7 +68,7 @@ TriangleShare share_of_simplex(const std::array<Vec3, 3>& x, double radius) {
     const auto row = static_cast<Eigen::Index>(i);
     b[order[i]] = std::clamp((below.moment[row] - above.moment[row]) / share, 0.0, 1.0);
   }
-  return {share, b[1], std::min(b[2], 1.0 - b[1])};
+  return {share, b[1], std::min(b[2], 1.0 - b[1]), true};
 }
 
 }  // namespace kappa::detail

@@ -99,23 +99,37 @@ TriangleShare share_by_sectors(const std::array<Vec3, 3>& x, double radius) {
   const Vec3 centroid = part.moment / part.area + d * n - x[0];
   const double b1 = std::clamp(n.dot(centroid.cross(e2)) / twice_area, 0.0, 1.0);
   const double b2 = std::clamp(n.dot(e1.cross(centroid)) / twice_area, 0.0, 1.0 - b1);
-  return {std::min(1.0, 2 * part.area / twice_area), b1, b2};
+  return {std::min(1.0, 2 * part.area / twice_area), b1, b2, true};
 }
 
 }  // namespace detail
+
+namespace {
+
+/// The form that is accurate for the triangle, of height over longest edge `flatness`.
+TriangleShare share_by_best_form(const std::array<Vec3, 3>& x, double radius, double flatness, double longest_sq) {
+  if (flatness <= kDegenerateRatio) return detail::share_of_simplex(x, radius);
+  if (flatness < kSliver || radius * radius > kSmall * kSmall * longest_sq)
+    return detail::share_by_boundary(x, radius);
+  return detail::share_by_sectors(x, radius);
+}
+
+}  // namespace
 
 TriangleShare triangle_ball_share(const std::array<Vec3, 3>& x, double radius) {
   const double radius_sq = radius * radius;
   // A ball is convex: it holds the triangle if it holds the corners.
   if (x[0].squaredNorm() <= radius_sq && x[1].squaredNorm() <= radius_sq && x[2].squaredNorm() <= radius_sq)
-    return {1.0, 1.0 / 3, 1.0 / 3};
-  if (!triangle_meets_ball(x, radius)) return {};
+    return {1.0, 1.0 / 3, 1.0 / 3, true};
   const double longest_sq = longest_edge_sq(x);
   const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
-  if (twice_area <= kDegenerateRatio * longest_sq) return detail::share_of_simplex(x, radius);
-  if (twice_area < kSliver * longest_sq || radius_sq > kSmall * kSmall * longest_sq)
-    return detail::share_by_boundary(x, radius);
-  return detail::share_by_sectors(x, radius);
+  const double flatness = longest_sq > 0 ? twice_area / longest_sq : 0.0;
+  TriangleShare part = share_by_best_form(x, radius, flatness, longest_sq);
+  // Far above what rounding leaves of a missed triangle; anything less is decided by the distance.
+  constexpr double kCertain = 1e-9;
+  const double area = 0.5 * part.share * twice_area;
+  part.met = area > kCertain * radius * std::max(radius, std::sqrt(longest_sq)) || triangle_meets_ball(x, radius);
+  return part.met ? part : TriangleShare{};
 }
 
 }  // namespace kappa

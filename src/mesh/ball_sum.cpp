@@ -53,7 +53,7 @@ bool add_triangle_in_ball(const MeasuredTriangles& triangles, std::size_t t, con
   const auto& c = triangles.corners[t];
   const std::array<Vec3, 3> x = {triangles.x[c[0]] - centre, triangles.x[c[1]] - centre, triangles.x[c[2]] - centre};
   const TriangleShare part = triangle_ball_share(x, radius);
-  if (part.share == 0 && !triangle_meets_ball(x, radius)) return false;
+  if (!part.met) return false;
   ++to.face_count;
   MeasureSum m = triangles.measures[t];
   if (ball == BallDefinition::ExactDensity && part.share > 0 && part.share < 1)

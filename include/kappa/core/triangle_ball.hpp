@@ -13,6 +13,8 @@ struct TriangleShare {
   double share = 0;
   /// Centroid of the intersection: x0 + b1 (x1 - x0) + b2 (x2 - x0). Undefined if share is 0.
   double b1 = 0, b2 = 0;
+  /// Whether they meet at all, perhaps in a point or a line of no area.
+  bool met = false;
 };
 
 /// A triangle is treated as a line or a point if |e1 x e2| <= kDegenerateRatio * longest edge^2.
