@@ -9,12 +9,13 @@
 namespace kappa {
 namespace {
 
-/// Flatter triangles, as height over longest edge, go through the boundary form.
+/// Flatter triangles, as height over longest edge, go through the boundary form in extended precision.
 constexpr double kSliver = 1e-3;
-/// So do triangles whose longest edge is smaller than the radius by more than this factor.
-constexpr double kSmall = 100;
-/// Below this height over longest edge the plane of a triangle is too uncertain to measure a distance to.
-constexpr double kPlaneless = 1e-6;
+/// So do triangles of a smaller height over radius, for which doubles lose digits along the edges.
+constexpr double kTiny = 3e-4;
+/// The sectors' moments are of the size of radius^3 and those of a triangle height^2 x longest edge, over its area:
+/// where the latter is smaller by more than this, the boundary form takes over.
+constexpr double kSmall = 1e-3;
 constexpr double kTiniest = 1e-300;
 
 double distance_sq_to_segment(const Vec3& a, const Vec3& b) {
@@ -62,16 +63,27 @@ void add_edge(const Vec3& a, const Vec3& e, double length, const Vec3& n, double
 }  // namespace
 
 double distance_sq_to_triangle(const std::array<Vec3, 3>& x) {
-  double least = std::min({distance_sq_to_segment(x[0], x[1]), distance_sq_to_segment(x[1], x[2]),
-                           distance_sq_to_segment(x[2], x[0])});
-  const Vec3 n = (x[1] - x[0]).cross(x[2] - x[0]);
-  const double n_sq = n.squaredNorm(), longest_sq = longest_edge_sq(x);
-  if (n_sq <= kPlaneless * kPlaneless * longest_sq * longest_sq) return least;
-  bool above = true;  // the origin projects inside the triangle
-  for (std::size_t i = 0; i < 3; ++i) above = above && n.dot(x[i].cross(x[(i + 1) % 3])) >= 0;
+  const double least = std::min({distance_sq_to_segment(x[0], x[1]), distance_sq_to_segment(x[1], x[2]),
+                                 distance_sq_to_segment(x[2], x[0])});
+  std::size_t i = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if ((x[(k + 1) % 3] - x[k]).squaredNorm() > (x[(i + 1) % 3] - x[i]).squaredNorm()) i = k;
+  }
+  // In a frame on the longest edge: there the plane of a sliver may be uncertain, its points are not.
+  const Vec3& a = x[i];
+  const Vec3 edge = x[(i + 1) % 3] - a, side = x[(i + 2) % 3] - a;
+  const double length = edge.norm();
+  if (length == 0) return least;
+  const Vec3 e = edge / length;
+  const Vec3 across = side - side.dot(e) * e;
+  const double height = across.norm();
+  if (height <= kDegenerateRatio * length) return least;
+  const Vec3 m = across / height, to_line = a - a.dot(e) * e;
+  const double y = -to_line.dot(m) / height, x_foot = -a.dot(e), x_apex = side.dot(e);
+  const bool above = y >= 0 && x_foot >= y * x_apex && x_foot <= length + y * (x_apex - length);
   if (!above) return least;
-  const double d = n.dot(x[0]);
-  return std::min(least, d * d / n_sq);
+  const double d = to_line.dot(e.cross(m));
+  return std::min(least, d * d);
 }
 
 bool triangle_meets_ball(const std::array<Vec3, 3>& x, double radius) {
@@ -106,11 +118,12 @@ TriangleShare share_by_sectors(const std::array<Vec3, 3>& x, double radius) {
 
 namespace {
 
-/// The form that is accurate for the triangle, of height over longest edge `flatness`.
-TriangleShare share_by_best_form(const std::array<Vec3, 3>& x, double radius, double flatness, double longest_sq) {
-  if (flatness <= kDegenerateRatio) return detail::share_of_simplex(x, radius);
-  if (flatness < kSliver || radius * radius > kSmall * kSmall * longest_sq)
-    return detail::share_by_boundary(x, radius);
+/// The form that is accurate for the triangle.
+TriangleShare share_by_best_form(const std::array<Vec3, 3>& x, double radius, double twice_area, double longest) {
+  const double height = longest > 0 ? twice_area / longest : 0.0;
+  if (height <= kDegenerateRatio * longest) return detail::share_of_simplex(x, radius);
+  if (height < kSliver * longest || height < kTiny * radius) return detail::share_by_long_boundary(x, radius);
+  if (height * height * longest < kSmall * radius * radius * radius) return detail::share_by_boundary(x, radius);
   return detail::share_by_sectors(x, radius);
 }
 
@@ -121,14 +134,13 @@ TriangleShare triangle_ball_share(const std::array<Vec3, 3>& x, double radius) {
   // A ball is convex: it holds the triangle if it holds the corners.
   if (x[0].squaredNorm() <= radius_sq && x[1].squaredNorm() <= radius_sq && x[2].squaredNorm() <= radius_sq)
     return {1.0, 1.0 / 3, 1.0 / 3, true};
-  const double longest_sq = longest_edge_sq(x);
+  const double longest = std::sqrt(longest_edge_sq(x));
   const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
-  const double flatness = longest_sq > 0 ? twice_area / longest_sq : 0.0;
-  TriangleShare part = share_by_best_form(x, radius, flatness, longest_sq);
+  TriangleShare part = share_by_best_form(x, radius, twice_area, longest);
   // Far above what rounding leaves of a missed triangle; anything less is decided by the distance.
   constexpr double kCertain = 1e-9;
   const double area = 0.5 * part.share * twice_area;
-  part.met = area > kCertain * radius * std::max(radius, std::sqrt(longest_sq)) || triangle_meets_ball(x, radius);
+  part.met = area > kCertain * radius * std::max(radius, longest) || triangle_meets_ball(x, radius);
   return part.met ? part : TriangleShare{};
 }
 

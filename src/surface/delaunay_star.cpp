@@ -6,9 +6,10 @@
 namespace kappa {
 namespace {
 
-/// Size of the perturbation that breaks ties, relative to the squared reach: above the rounding of coordinates in
-/// single precision, far below what matters for the shape of triangles.
-constexpr double kTieBreak = 1e-5;
+/// Size of the perturbation that breaks ties, relative to the squared reach: above what the different tangent planes of
+/// a curved surface make of the corners of a grid cell (a part (spacing / radius)^2), below what matters for the shape
+/// of triangles.
+constexpr double kTieBreak = 2e-3;
 
 }  // namespace
 
@@ -35,7 +36,8 @@ const std::vector<std::pair<int, int>>& DelaunayStar::compute(const std::vector<
   for (std::size_t i = 0; i < neighbours.size() && cell_.size() > 2; ++i) {
     const Vec2& q = neighbours[i].position;
     const double distance_sq = q.squaredNorm();
-    if (distance_sq <= unit * unit) continue;
+    constexpr double kSamePlace = 1e-12;
+    if (distance_sq <= kSamePlace * reach * reach) continue;
     const double power = distance_sq + unit * (own_tie_break - neighbours[i].tie_break);
     clip(q, 0.5 * power, static_cast<int>(i));
   }

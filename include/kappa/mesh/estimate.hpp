@@ -27,7 +27,7 @@ struct CurvatureField {
 /// What the measures at radius 0 of a vertex are.
 enum class VertexLimit {
   Star,  ///< sum over the whole incident faces
-  Limit  ///< limit for radius -> 0+: sum over the incident triangles of angle x measure / area
+  Limit  ///< limit of area-fraction balls for radius -> 0+: sum over the incident triangles of angle x measure / area
 };
 
 struct CurvatureOptions {

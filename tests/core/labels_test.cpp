@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/core/labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "kappa/core/types.hpp"
+
+namespace kappa {
+namespace {
+
+struct Row {
+  double k_min, k_max;
+  Label label;
+};
+
+TEST(Labels, TableOfFigure13) {
+  const std::array<Row, 10> table = {{{2, 3, Label::Convex},
+                                      {-3, -2, Label::Concave},
+                                      {-2, 2, Label::Saddle},
+                                      {0.1, 2, Label::ConvexCylinder},
+                                      {-0.1, 2, Label::ConvexCylinder},
+                                      {-2, 0.1, Label::ConcaveCylinder},
+                                      {-2, -0.1, Label::ConcaveCylinder},
+                                      {-0.1, 0.1, Label::Flat},
+                                      {0, 0, Label::Flat},
+                                      {1, 1, Label::Convex}}};
+  for (const Row& row : table) EXPECT_EQ(classify(row.k_min, row.k_max, 1), row.label) << row.k_min << ' ' << row.k_max;
+}
+
+TEST(Labels, AtTheThresholdCounts) {
+  EXPECT_EQ(classify(0.5, 0.5, 0.5), Label::Convex);
+  EXPECT_EQ(classify(-0.5, 0.5, 0.5), Label::Saddle);
+  EXPECT_EQ(classify(0.49, 0.49, 0.5), Label::Flat);
+}
+
+TEST(Labels, ZeroThresholdKeepsExactZeroFlat) {
+  EXPECT_EQ(classify(1e-300, 1e-300, 0), Label::Convex);
+  EXPECT_EQ(classify(-1e-300, 1e-300, 0), Label::Saddle);
+  EXPECT_EQ(classify(0, 0, 0), Label::Flat);
+  EXPECT_EQ(classify(0, 1, 0), Label::ConvexCylinder);
+  EXPECT_EQ(classify(-1, 0, 0), Label::ConcaveCylinder);
+}
+
+TEST(Labels, NaNIsUndefined) {
+  EXPECT_EQ(classify(kNaN, 1, 0.1), Label::Undefined);
+  EXPECT_EQ(classify(1, kNaN, 0.1), Label::Undefined);
+  EXPECT_EQ(classify(kNaN, kNaN, 0.1), Label::Undefined);
+}
+
+TEST(Labels, NamesAndColours) {
+  std::set<std::string> names;
+  std::set<std::tuple<int, int, int>> colours;
+  for (int i = 0; i < kLabelCount; ++i) {
+    const Rgb c = label_colour(static_cast<Label>(i));
+    names.insert(label_name(static_cast<Label>(i)));
+    colours.insert({c.r, c.g, c.b});
+  }
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(kLabelCount));
+  EXPECT_EQ(colours.size(), static_cast<std::size_t>(kLabelCount));
+  EXPECT_STREQ(label_name(Label::Undefined), "undefined");
+  EXPECT_STREQ(label_name(Label::Flat), "flat");
+  EXPECT_STREQ(label_name(Label::Convex), "convex");
+  EXPECT_STREQ(label_name(Label::Concave), "concave");
+  EXPECT_STREQ(label_name(Label::Saddle), "saddle");
+  EXPECT_STREQ(label_name(Label::ConvexCylinder), "convex cylinder");
+  EXPECT_STREQ(label_name(Label::ConcaveCylinder), "concave cylinder");
+}
+
+bool dominates(int strong, int a, int b) {
+  return strong > a + 40 && strong > b + 40;
+}
+
+TEST(Labels, ColoursAreThoseOfTheirNames) {
+  const Rgb red = label_colour(Label::Convex), blue = label_colour(Label::Concave), green = label_colour(Label::Saddle);
+  EXPECT_TRUE(dominates(red.r, red.g, red.b));
+  EXPECT_TRUE(dominates(blue.b, blue.r, blue.g));
+  EXPECT_TRUE(dominates(green.g, green.r, green.b));
+  const Rgb yellow = label_colour(Label::ConvexCylinder), cyan = label_colour(Label::ConcaveCylinder);
+  EXPECT_TRUE(yellow.r > yellow.b + 40 && yellow.g > yellow.b + 40);
+  EXPECT_TRUE(cyan.g > cyan.r + 40 && cyan.b > cyan.r + 40);
+  const Rgb white = label_colour(Label::Flat), grey = label_colour(Label::Undefined);
+  EXPECT_TRUE(white.r == white.g && white.g == white.b && white.r > 200);
+  EXPECT_TRUE(grey.r == grey.g && grey.g == grey.b && grey.r < white.r);
+}
+
+}  // namespace
+}  // namespace kappa
