@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "kappa/io/read.hpp"
+#include "kappa/io/write.hpp"
+#include "kappa/mesh/statistics.hpp"
+#include "program.hpp"
+
+namespace kappa::apps {
+namespace {
+
+void generate(const Arguments& arguments) {
+  Arguments all = {"generate"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const Outcome made = run(all);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+}
+
+double rms_of(const std::vector<ErrorStatistics>& all, const std::string& field) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.field == field; });
+  return found == all.end() ? kNaN : found->rms;
+}
+
+TEST(Commands, CurvatureOfATorusMeshComesCloseToTheTruth) {
+  const Folder f;
+  generate({"torus", f.file("torus.ply"), "--slices", "120", "--sides", "80"});
+  const Outcome done = run({"curvature", f.file("torus.ply"), f.file("out.ply"), "--radius", "0"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("9600"), std::string::npos) << done.out;
+  const auto errors = compare_scans(read_scan(f.file("out.ply")), read_scan(f.file("torus.ply")));
+  EXPECT_LT(rms_of(errors, "mean_curvature"), 2e-4);
+  EXPECT_LT(rms_of(errors, "k_min"), 1e-3);
+  EXPECT_LT(rms_of(errors, "k_max"), 2e-3);
+  EXPECT_LT(rms_of(errors, "dir_max"), 1.0);
+  const Outcome table = run({"compare", f.file("out.ply"), f.file("torus.ply")});
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_NE(table.out.find("mean_curvature"), std::string::npos);
+}
+
+TEST(Commands, EveryOutputFormatHoldsTheSameResult) {
+  const Folder f;
+  generate({"torus", f.file("torus.ply"), "--slices", "24", "--sides", "16", "--origin", "512000,5403000,300"});
+  std::vector<Scan> results;
+  for (const std::string extension : {"ply", "csv", "pcd", "vtp"}) {
+    const std::string out = f.file("out." + extension);
+    const Outcome done = run({"segment", f.file("torus.ply"), out, "--radius", "0.5", "--quiet"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_EQ(done.out + done.err, "");
+    results.push_back(read_scan(out));
+  }
+  const Scan truth = read_scan(f.file("torus.ply"));
+  for (const Scan& result : results) {
+    ASSERT_EQ(result.points.size(), truth.points.size());
+    for (std::size_t i = 0; i < truth.points.size(); ++i)
+      EXPECT_EQ((result.points[i] + result.origin).eval(), (truth.points[i] + truth.origin).eval());
+    for (const Field& field : results.front().fields) {
+      const Field* same = result.field(field.name);
+      ASSERT_TRUE(same) << field.name;
+      for (std::size_t i = 0; i < field.values.size(); ++i)
+        EXPECT_TRUE(same->values[i] == field.values[i] || (std::isnan(same->values[i]) && std::isnan(field.values[i])))
+            << field.name << ' ' << i;
+    }
+  }
+  for (const char* name : {"mean_curvature", "dir_max_z", "mu2", "coverage", "face_count", "status", "label", "region"})
+    EXPECT_TRUE(results.front().field(name)) << name;
+  EXPECT_NE(contents(f.file("out.vtp")).find("Mean_Curvature"), std::string::npos);
+  EXPECT_NE(contents(f.file("out.regions.csv")).find("convex"), std::string::npos);
+}
+
+TEST(Commands, SeveralRadiiGiveFieldsWithSuffixes) {
+  const Folder f;
+  generate({"sphere", f.file("s.ply"), "--radius", "2"});
+  ASSERT_EQ(run({"segment", f.file("s.ply"), f.file("o.ply"), "--radius", "0,0.5,0.25"}).exit_code, 0);
+  const Scan out = read_scan(f.file("o.ply"));
+  for (const char* suffix : {"_r0", "_r0.5", "_r0.25"}) {
+    const Field* mean = out.field(std::string("mean_curvature") + suffix);
+    ASSERT_TRUE(mean) << suffix;
+    for (const double value : mean->values) EXPECT_NEAR(value, 0.5, 1e-6);
+    EXPECT_TRUE(out.field(std::string("label") + suffix));
+    EXPECT_TRUE(std::filesystem::exists(f.file(std::string("o.regions") + suffix + ".csv")));
+  }
+  EXPECT_EQ(run({"compare", f.file("o.ply"), f.file("s.ply"), "--suffix", "_r0.5"}).exit_code, 0);
+  EXPECT_EQ(run({"compare", f.file("o.ply"), f.file("s.ply")}).exit_code, 1);
+}
+
+TEST(Commands, FlippingTurnsTheSigns) {
+  const Folder f;
+  generate({"torus", f.file("t.ply"), "--slices", "40", "--sides", "24"});
+  ASSERT_EQ(run({"curvature", f.file("t.ply"), f.file("a.csv"), "--radius", "0.4"}).exit_code, 0);
+  ASSERT_EQ(run({"curvature", f.file("t.ply"), f.file("b.csv"), "--radius", "0.4", "--flip"}).exit_code, 0);
+  const Scan a = read_scan(f.file("a.csv")), b = read_scan(f.file("b.csv"));
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    EXPECT_NEAR(a.field("mean_curvature")->values[i], -b.field("mean_curvature")->values[i], 1e-12);
+    EXPECT_NEAR(a.field("k_min")->values[i], -b.field("k_max")->values[i], 1e-12);
+    EXPECT_NEAR(a.field("gaussian_curvature")->values[i], b.field("gaussian_curvature")->values[i], 1e-12);
+  }
+}
+
+TEST(Commands, CloudWithoutNormalsOrFacesIsMeasured) {
+  const Folder f;
+  generate({"sphere", f.file("s.pcd"), "--points", "4000", "--radius", "5", "--no-normals"});
+  const Outcome done =
+      run({"curvature", f.file("s.pcd"), f.file("o.pcd"), "--orient", "viewpoint", "0,0,0", "--radius", "1.5", "--flip"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("umbrella"), std::string::npos);
+  const Scan out = read_scan(f.file("o.pcd"));
+  for (const double mean : out.field("mean_curvature")->values) EXPECT_NEAR(mean, 0.2, 0.02);
+}
+
+TEST(Commands, GenerateWritesEveryShape) {
+  const Folder f;
+  const std::vector<Arguments> shapes = {{"sphere"}, {"icosphere"}, {"torus"}, {"cylinder", "--caps"}, {"quadric"},
+                                         {"saddle"}, {"plane"}, {"goursat", "--step", "1.5"}, {"lantern"},
+                                         {"airborne", "--width", "60", "--depth", "60"}, {"waves", "--points", "500"}};
+  for (const Arguments& shape : shapes) {
+    Arguments arguments = shape;
+    arguments.insert(arguments.begin() + 1, f.file(shape.front() + ".ply"));
+    generate(arguments);
+    const Scan scan = read_scan(f.file(shape.front() + ".ply"));
+    for (const char* name : {"mean_curvature", "gaussian_curvature", "k_min", "k_max", "dir_min_x", "dir_max_z"})
+      EXPECT_TRUE(scan.field(name)) << shape.front() << ' ' << name;
+  }
+}
+
+TEST(Commands, SeedsDecideNoiseAndNothingElseDoes) {
+  const Folder f;
+  for (const char* name : {"a.csv", "b.csv"}) generate({"airborne", f.file(name), "--seed", "3", "--width", "40"});
+  generate({"airborne", f.file("c.csv"), "--seed", "4", "--width", "40"});
+  EXPECT_EQ(contents(f.file("a.csv")), contents(f.file("b.csv")));
+  EXPECT_NE(contents(f.file("a.csv")), contents(f.file("c.csv")));
+}
+
+TEST(Commands, InfoTellsWhatIsThere) {
+  const Folder f;
+  generate({"torus", f.file("t.ply"), "--slices", "30", "--sides", "20", "--faces", "quads"});
+  const Outcome info = run({"info", f.file("t.ply")});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  for (const char* expected : {"600", "600 quads", "Euler number 0", "1 component", "suggested"})
+    EXPECT_NE(info.out.find(expected), std::string::npos) << expected << "\n" << info.out;
+  const Outcome json = run({"info", f.file("t.ply"), "--json"});
+  EXPECT_NE(json.out.find("\"euler\": 0"), std::string::npos) << json.out;
+}
+
+TEST(Commands, JsonSummaryIsOneObject) {
+  const Folder f;
+  generate({"sphere", f.file("s.ply")});
+  const Outcome done = run({"segment", f.file("s.ply"), f.file("o.ply"), "--radius", "0.3", "--json"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.out.front(), '{');
+  EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '\n'), 1);
+  EXPECT_EQ(std::count(done.out.begin(), done.out.end(), '{'), std::count(done.out.begin(), done.out.end(), '}'));
+  EXPECT_NE(done.out.find("\"radius\": 0.3"), std::string::npos);
+}
+
+TEST(Commands, MeshAndNormalsWriteTheirStages) {
+  const Folder f;
+  generate({"torus", f.file("t.pcd"), "--points", "3000"});
+  ASSERT_EQ(run({"mesh", f.file("t.pcd"), f.file("m.ply")}).exit_code, 0);
+  EXPECT_NEAR(static_cast<double>(read_scan(f.file("m.ply")).faces.size()), 6000, 300);
+  ASSERT_EQ(run({"normals", f.file("m.ply"), f.file("n.ply"), "--normals", "geometric"}).exit_code, 0);
+  const Scan truth = read_scan(f.file("t.pcd")), normals = read_scan(f.file("n.ply"));
+  double sum = 0;
+  for (std::size_t i = 0; i < truth.normals.size(); ++i) sum += truth.normals[i].dot(normals.normals[i]);
+  EXPECT_GT(sum / static_cast<double>(truth.normals.size()), 0.99);
+}
+
+TEST(Commands, RenderDrawsWithoutADisplay) {
+  const Folder f;
+  generate({"torus", f.file("t.ply"), "--slices", "40", "--sides", "24"});
+  ASSERT_EQ(run({"segment", f.file("t.ply"), f.file("o.ply"), "--radius", "0.4"}).exit_code, 0);
+  const Outcome scalar = run({"render", f.file("o.ply"), f.file("mean.png"), "--size", "400,300"});
+  ASSERT_EQ(scalar.exit_code, 0) << scalar.err;
+  ASSERT_EQ(run({"render", f.file("o.ply"), f.file("labels.png"), "--labels", "--size", "400,300"}).exit_code, 0);
+  for (const char* name : {"mean.png", "labels.png"}) {
+    const std::string png = contents(f.file(name));
+    ASSERT_GT(png.size(), 2000u);
+    EXPECT_EQ(png.substr(1, 3), "PNG");
+    EXPECT_EQ(static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]), 400);
+  }
+  EXPECT_NE(contents(f.file("mean.png")), contents(f.file("labels.png")));
+  const Outcome missing = run({"render", f.file("o.ply"), f.file("x.png"), "--field", "temperature"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.err.find("mean_curvature"), std::string::npos) << "the message lists the fields there are";
+}
+
+}  // namespace
+}  // namespace kappa::apps
