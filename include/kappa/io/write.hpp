@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "kappa/core/execution.hpp"
+#include "kappa/mesh/estimate.hpp"
+#include "kappa/mesh/mesh.hpp"
+#include "kappa/segment/regions.hpp"
+
+namespace kappa {
+
+/// Writes points, normals (if any), fields and faces (where the format has them) by the extension:
+/// .csv (header line, the shortest decimal that gives back each value, `nan`), .ply (binary, coordinates in double), .pcd (binary,
+/// coordinates in double, normals as normal_x ...), .vtp (VTK's names: Mean_Curvature,
+/// Gauss_Curvature, Minimum_Curvature, Maximum_Curvature, with directions as 3-vectors).
+///
+/// Coordinates leave as they came: the local origin is added back in double. The file is written
+/// under a temporary name beside `path` and renamed: it is complete or not there.
+/// @throws Error FileWrite (unknown extension, or the system's reason); InvalidArgument if sizes differ, two fields have one
+/// name or that of a coordinate, or a value does not fit the type of its field; Cancelled.
+void write_scan(const std::string& path, const Scan& scan, const Execution& run = {});
+
+/// Extensions that write_scan knows, lower case with the dot.
+const std::vector<std::string>& writable_extensions();
+
+/// @throws Error FileWrite if write_scan would refuse `path` for its extension or its folder: to be
+/// called before a long computation.
+void check_writable(const std::string& path);
+
+/// Fields of DESIGN.md in their order: mean_curvature gaussian_curvature k_min k_max dir_min_x ... mu0
+/// mu1 mu2 area coverage face_count status, each followed by `suffix`.
+std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix = "");
+
+/// `label region`.
+std::vector<Field> segment_fields(const Segmentation& segmentation);
+
+/// "_r<value>" with the shortest decimal that gives back the value.
+std::string radius_suffix(double radius);
+
+/// Table of the regions as CSV: region label points area border mean_curvature gaussian_curvature
+/// centroid_x centroid_y centroid_z (in the coordinates of the file).
+void write_regions(const std::string& path, const Segmentation& segmentation, const Vec3& origin);
+
+/// Opens a temporary file beside `path`, lets `fill` write it, and renames it; removes it on any error.
+/// @throws Error FileWrite with the system's reason, or what `fill` throws.
+void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& fill);
+
+}  // namespace kappa

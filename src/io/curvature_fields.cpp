@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/io/write.hpp"
+#include "writers.hpp"
+
+namespace kappa {
+
+namespace {
+
+using Value = double (*)(const CurvatureSample&);
+
+struct Entry {
+  const char* name;
+  Field::Type type;
+  Value value;
+};
+
+constexpr Field::Type kReal = Field::Type::Float64;
+
+constexpr Entry kEntries[] = {
+    {"mean_curvature", kReal, [](const CurvatureSample& s) { return s.k.mean; }},
+    {"gaussian_curvature", kReal, [](const CurvatureSample& s) { return s.k.gaussian; }},
+    {"k_min", kReal, [](const CurvatureSample& s) { return s.k.k_min; }},
+    {"k_max", kReal, [](const CurvatureSample& s) { return s.k.k_max; }},
+    {"dir_min_x", kReal, [](const CurvatureSample& s) { return s.k.dir_min.x(); }},
+    {"dir_min_y", kReal, [](const CurvatureSample& s) { return s.k.dir_min.y(); }},
+    {"dir_min_z", kReal, [](const CurvatureSample& s) { return s.k.dir_min.z(); }},
+    {"dir_max_x", kReal, [](const CurvatureSample& s) { return s.k.dir_max.x(); }},
+    {"dir_max_y", kReal, [](const CurvatureSample& s) { return s.k.dir_max.y(); }},
+    {"dir_max_z", kReal, [](const CurvatureSample& s) { return s.k.dir_max.z(); }},
+    {"mu0", kReal, [](const CurvatureSample& s) { return s.mu0; }},
+    {"mu1", kReal, [](const CurvatureSample& s) { return s.mu1; }},
+    {"mu2", kReal, [](const CurvatureSample& s) { return s.mu2; }},
+    {"area", kReal, [](const CurvatureSample& s) { return s.area; }},
+    {"coverage", kReal, [](const CurvatureSample& s) { return s.coverage; }},
+    {"face_count", Field::Type::UInt32, [](const CurvatureSample& s) { return static_cast<double>(s.face_count); }},
+    {"status", Field::Type::UInt8, [](const CurvatureSample& s) { return static_cast<double>(s.k.status); }},
+};
+
+template <class T>
+Field field_of(const char* name, Field::Type type, const std::vector<T>& values) {
+  Field field;
+  field.name = name;
+  field.type = type;
+  field.values.reserve(values.size());
+  for (const T value : values) field.values.push_back(static_cast<double>(value));
+  return field;
+}
+
+}  // namespace
+
+std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix) {
+  std::vector<Field> fields;
+  for (const Entry& entry : kEntries) {
+    Field column;
+    column.name = entry.name + suffix;
+    column.type = entry.type;
+    column.values.reserve(field.samples.size());
+    for (const CurvatureSample& sample : field.samples) column.values.push_back(entry.value(sample));
+    fields.push_back(std::move(column));
+  }
+  return fields;
+}
+
+std::vector<Field> segment_fields(const Segmentation& segmentation) {
+  return {field_of("label", Field::Type::UInt8, segmentation.labels),
+          field_of("region", Field::Type::UInt32, segmentation.regions)};
+}
+
+std::string radius_suffix(double radius) {
+  std::string suffix = "_r";
+  io::append_decimal(suffix, radius);
+  return suffix;
+}
+
+}  // namespace kappa

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/io/write.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "file_bytes.hpp"
+#include "kappa/core/error.hpp"
+#include "scalar.hpp"
+#include "writers.hpp"
+
+namespace kappa {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Writer = void (*)(std::ostream&, const Scan&, const Execution&);
+
+Writer writer_for(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  if (extension == ".csv") return io::write_csv;
+  if (extension == ".ply") return io::write_ply;
+  if (extension == ".pcd") return io::write_pcd;
+  if (extension == ".vtp") return io::write_vtp;
+  std::string known;
+  for (const std::string& writable : writable_extensions()) known += (known.empty() ? "" : " ") + writable;
+  throw Error(ErrorCode::FileWrite,
+              "'" + path + "': files of extension '" + extension + "' are not written: use one of " + known);
+}
+
+void check_size(const std::string& what, std::size_t size, std::size_t points) {
+  if (size == points) return;
+  throw Error(ErrorCode::InvalidArgument, what + " has " + std::to_string(size) + " values for " +
+                                              std::to_string(points) + " points: give one a point");
+}
+
+void check_field(const Field& field, std::size_t points) {
+  check_size("field '" + field.name + "'", field.values.size(), points);
+  const auto wrong = std::find_if(field.values.begin(), field.values.end(),
+                                  [&](double value) { return !io::fits(value, field.type); });
+  if (wrong == field.values.end()) return;
+  throw Error(ErrorCode::InvalidArgument, "field '" + field.name + "' holds " + std::to_string(*wrong) +
+                                              ", which is not of its type " + io::type_name(field.type));
+}
+
+void check_names(const Scan& scan) {
+  std::set<std::string> names = {"x", "y", "z", "nx", "ny", "nz", "normal_x", "normal_y", "normal_z"};
+  for (const Field& field : scan.fields) {
+    if (field.name.empty() || !names.insert(io::safe_name(field.name)).second) {
+      throw Error(ErrorCode::InvalidArgument, "a field cannot be called '" + field.name + "': the name is taken");
+    }
+  }
+}
+
+void check_scan(const Scan& scan) {
+  const std::size_t points = scan.points.size();
+  if (!scan.normals.empty()) check_size("the list of normals", scan.normals.size(), points);
+  for (const Field& field : scan.fields) check_field(field, points);
+  check_names(scan);
+  if (scan.is_organised()) check_size("a grid of width x height", scan.width * scan.height, points);
+  for (const Index corner : scan.faces.corners()) {
+    if (corner >= points) {
+      throw Error(ErrorCode::InvalidArgument, "a face has vertex " + std::to_string(corner) + " of " +
+                                                  std::to_string(points) + ": indices must be below that");
+    }
+  }
+}
+
+/// Writes a file through a stream and reports what the stream could not do.
+void write_stream(const std::string& path, const std::function<void(std::ostream&)>& fill) {
+  write_atomically(path, [&](const std::string& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    errno = 0;
+    if (out) fill(out);
+    out.close();
+    if (out) return;
+    throw Error(ErrorCode::FileWrite,
+                "'" + path + "' cannot be written: " + (errno ? std::strerror(errno) : "the system gave no reason"));
+  });
+}
+
+}  // namespace
+
+void write_scan(const std::string& path, const Scan& scan, const Execution& run) {
+  const Writer writer = writer_for(path);
+  check_scan(scan);
+  write_stream(path, [&](std::ostream& out) { writer(out, scan, run); });
+  if (run.progress) run.progress(1.0);
+}
+
+const std::vector<std::string>& writable_extensions() {
+  static const std::vector<std::string> extensions = {".csv", ".ply", ".pcd", ".vtp"};
+  return extensions;
+}
+
+void check_writable(const std::string& path) {
+  writer_for(path);
+  const fs::path parent = fs::path(path).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw Error(ErrorCode::FileWrite, "'" + path + "' cannot be written: there is no folder '" + folder + "'");
+  }
+  if (fs::is_directory(path, error)) {
+    throw Error(ErrorCode::FileWrite, "'" + path + "' cannot be written: it is a folder");
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw Error(ErrorCode::FileWrite, "'" + path + "' cannot be written: " + std::strerror(errno));
+  }
+}
+
+void write_regions(const std::string& path, const Segmentation& segmentation, const Vec3& origin) {
+  write_stream(path, [&](std::ostream& out) {
+    out << "region,label,points,area,border,mean_curvature,gaussian_curvature,centroid_x,centroid_y,centroid_z\n";
+    std::string line;
+    for (std::size_t i = 0; i < segmentation.table.size(); ++i) {
+      const Region& region = segmentation.table[i];
+      line = std::to_string(i + 1) + "," + label_name(region.label) + "," + std::to_string(region.points);
+      const Vec3 centroid = origin + region.centroid;
+      for (const double value : {region.area, region.border, region.mean_curvature, region.gaussian_curvature,
+                                 centroid.x(), centroid.y(), centroid.z()}) {
+        line += ',';
+        io::append_decimal(line, value);
+      }
+      out << line << '\n';
+    }
+  });
+}
+
+}  // namespace kappa
