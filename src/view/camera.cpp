@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera.hpp"
+
+#include <vtkCamera.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kappa {
+namespace {
+
+constexpr double kLowTerrain = 0.35;  // height / extent in plan below which a scan is taken for terrain
+constexpr double kViewAngle = 22;     // degrees; mild perspective
+
+/// Extent of the middle 99 % along an axis: a few stray returns do not make a terrain tall.
+double extent(const std::vector<Vec3>& points, int axis) {
+  std::vector<double> values;
+  for (const Vec3& x : points) {
+    if (is_finite(x)) values.push_back(x[axis]);
+  }
+  if (values.empty()) return 0;
+  const auto at = [&](double p) {
+    const auto i = static_cast<std::ptrdiff_t>(p * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + i, values.end());
+    return values[static_cast<std::size_t>(i)];
+  };
+  const double low = at(0.005);
+  return at(0.995) - low;
+}
+
+}  // namespace
+
+Camera automatic_camera(const std::vector<Vec3>& points) {
+  const double x = extent(points, 0), y = extent(points, 1), z = extent(points, 2);
+  if (z < kLowTerrain * std::sqrt(x * y)) return {-18, 48, 1};
+  return {-35, 22, 1};
+}
+
+namespace view_detail {
+
+Vec3 towards_eye(const Camera& camera) {
+  const double a = camera.azimuth * kPi / 180, e = camera.elevation * kPi / 180;
+  return {std::cos(e) * std::sin(a), -std::cos(e) * std::cos(a), std::sin(e)};
+}
+
+void place_camera(vtkCamera* placed, const std::vector<Vec3>& points, const Camera& camera, double aspect,
+                  const Frame& frame) {
+  const Vec3 towards = towards_eye(camera);
+  const double a = camera.azimuth * kPi / 180;
+  const Vec3 right(std::cos(a), std::sin(a), 0);
+  const Vec3 up = towards.cross(right);
+  // A point (r, u, d) in the axes right, up, towards is seen at ((r - cr) / ((cd - d) t aspect), (u - cu) / ((cd - d)
+  // t)) from an eye at (cr, cu, cd). Each side of the frame is a plane through the eye: all points are to be on its
+  // inner side, which bounds linear functions of the eye by their maxima over the points.
+  const double t = std::tan(0.5 * kViewAngle * kPi / 180);
+  const double half_x = (frame.right - frame.left) * t * aspect, half_y = (frame.top - frame.bottom) * t;
+  const double shift_x = (frame.right + frame.left - 1) * t * aspect, shift_y = (frame.top + frame.bottom - 1) * t;
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  std::array<double, 4> sides = {kNone, kNone, kNone, kNone};
+  for (const Vec3& x : points) {
+    if (!is_finite(x)) continue;
+    const double d = x.dot(towards), r = x.dot(right) + shift_x * d, u = x.dot(up) + shift_y * d;
+    sides = {std::max(sides[0], r + half_x * d), std::max(sides[1], -r + half_x * d),
+             std::max(sides[2], u + half_y * d), std::max(sides[3], -u + half_y * d)};
+  }
+  double distance = std::max((sides[0] + sides[1]) / (2 * half_x), (sides[2] + sides[3]) / (2 * half_y));
+  const Bounds box = bounds(points);
+  const Vec3 middle = 0.5 * (box.min + box.max);
+  const double depth = middle.dot(towards);
+  distance = std::max(distance, depth + 1e-6 * (1 + box.diagonal()));  // a single point
+  const double cr = 0.5 * (sides[0] - sides[1]) - shift_x * distance;
+  const double cu = 0.5 * (sides[2] - sides[3]) - shift_y * distance;
+  const Vec3 eye = cr * right + cu * up + distance * towards;
+  const Vec3 focus = eye - (distance - depth) * towards;
+  placed->SetPosition(eye.data());
+  placed->SetFocalPoint(focus.data());
+  placed->SetViewUp(up.data());
+  placed->SetViewAngle(kViewAngle / camera.zoom);
+}
+
+}  // namespace view_detail
+}  // namespace kappa

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace kappa::view_detail {
+namespace {
+
+const char* status_name(PointStatus status) {
+  switch (status) {
+    case PointStatus::Valid:
+      return "valid";
+    case PointStatus::Empty:
+      return "empty ball";
+    case PointStatus::Degenerate:
+      return "degenerate: the corrected area vanishes";
+    case PointStatus::Invalid:
+      return "invalid point or normal";
+  }
+  return "unknown";
+}
+
+/// Decimals that tell positions a millionth of the scan's extent apart.
+int coordinate_decimals(const Scan& scan) {
+  const double diagonal = bounds(scan.points).diagonal();
+  if (!(diagonal > 0)) return 6;
+  return std::clamp(static_cast<int>(std::ceil(5 - std::log10(diagonal))), 0, 15);
+}
+
+/// "1 234 567".
+std::string count_text(std::size_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, " ");
+  return text;
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string status_text(const Scan& scan, const std::string& file, const ViewerState& state, const std::string& unit,
+                        double progress) {
+  std::string text = file.empty() ? "" : file + "  |  ";
+  text += count_text(scan.points.size()) + " points";
+  if (scan.is_mesh()) text += ", " + count_text(scan.faces.size()) + " faces";
+  if (!state.field.empty()) {
+    text += "  |  radius " + number_text(state.radius) + "  |  ";
+    if (state.labels) {
+      text += "labels";
+    } else {
+      text += state.field + "  " + number_text(state.range.low) + " ... " + number_text(state.range.high);
+      if (!unit.empty()) text += " " + unit;
+    }
+  }
+  if (state.computing) {
+    text += "  |  computing ...";
+    if (progress > 0) text += " " + std::to_string(static_cast<int>(100 * progress)) + " %";
+  }
+  return text;
+}
+
+std::string pick_text(const Scan& scan, const ViewData& data, Index point) {
+  const Vec3 x = scan.points[point] + scan.origin;
+  char coordinates[256];
+  const int decimals = coordinate_decimals(scan);
+  std::snprintf(coordinates, sizeof coordinates, "x  %.*f\ny  %.*f\nz  %.*f", decimals, x.x(), decimals, x.y(),
+                decimals, x.z());
+  std::string text = "point " + std::to_string(point) + "\n" + coordinates;
+  if (!data.status.empty()) text += std::string("\nstatus: ") + status_name(data.status[point]);
+  if (!data.labels.empty()) text += std::string("\nlabel: ") + label_name(data.labels[point]);
+  for (const NamedValues& field : data.fields) {
+    const double value = field.values[point];
+    text += "\n" + field.style.name + "  ";
+    text += std::isfinite(value) ? number_text(value) + (field.style.unit.empty() ? "" : " " + field.style.unit)
+                                 : "no value";
+  }
+  return text;
+}
+
+std::string help_text() {
+  return "drag: turn    shift + drag: shift    wheel: zoom\n"
+         "click or p: pick a point    Escape: forget it\n"
+         "f  F: next, previous field\n"
+         "l: labels\n"
+         "[  ]: narrow, widen the colour range    0: automatic\n"
+         "b: measuring ball at the picked point\n"
+         "d: principal directions\n"
+         "e: edges of the faces\n"
+         "c or Print: save a picture\n"
+         "v: reset the view\n"
+         "h: this help    q: quit";
+}
+
+}  // namespace kappa::view_detail
