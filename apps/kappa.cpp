@@ -10,7 +10,7 @@
 namespace {
 
 void declare(CLI::App& program) {
-  program.require_subcommand(1);
+  kappa::app::require_one(program, "a command");
   program.set_version_flag("--version", std::string("kappa ") + KAPPA_VERSION);
   program.set_help_all_flag("--help-all", "Help on every command");
   program.get_formatter()->column_width(34);

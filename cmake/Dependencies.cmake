@@ -17,20 +17,23 @@ if(KAPPA_SEARCH)
   find_library(KAPPA_LZ4_LIBRARY lz4 REQUIRED)
 endif()
 
-if(KAPPA_IO OR KAPPA_VIEW)
+if(KAPPA_IO)
+  find_package(ZLIB REQUIRED)
+endif()
+
+if(KAPPA_VIEW OR (KAPPA_IO AND KAPPA_TESTS))
   # One look-up for both layers: asking for different components twice in one project fails in VTK 9.1.
   find_package(VTK 9.1 QUIET REQUIRED COMPONENTS
-    CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources IOCore IOGeometry IOXML
+    CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources IOCore IOXML
     IOImage InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
     RenderingUI)
 endif()
 
-if(KAPPA_IO OR KAPPA_PCL)
+if(KAPPA_PCL OR (KAPPA_IO AND KAPPA_TESTS))
   # Components features and io would pull all of VTK into CMake; their libraries are linked by name.
   find_package(PCL 1.13 QUIET REQUIRED COMPONENTS common kdtree octree search sample_consensus filters)
   find_library(KAPPA_PCL_FEATURES_LIBRARY pcl_features REQUIRED)
   find_library(KAPPA_PCL_IO_LIBRARY pcl_io REQUIRED)
-  find_library(KAPPA_PCL_IO_PLY_LIBRARY pcl_io_ply REQUIRED)
 endif()
 
 if(KAPPA_TESTS)

@@ -32,10 +32,12 @@ function(kappa_needs component out)
   kappa_names_among("${links}" "^kappa::" "^kappa::" kappa)
   kappa_names_among("${links}" "^VTK::" "^VTK::" vtk)
   kappa_names_among("${links}" "^pcl_[a-z_]+$" "^pcl_" pcl)
+  kappa_names_among("${links}" "^ZLIB::" "::.*$" zlib)
   string(CONCAT lines
     "set(_kappa_${component}_kappa \"${kappa}\")\n"
     "set(_kappa_${component}_vtk \"${vtk}\")\n"
-    "set(_kappa_${component}_pcl \"${pcl}\")\n")
+    "set(_kappa_${component}_pcl \"${pcl}\")\n"
+    "set(_kappa_${component}_zlib \"${zlib}\")\n")
   set(${out} ${lines} PARENT_SCOPE)
 endfunction()
 

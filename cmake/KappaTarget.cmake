@@ -12,8 +12,7 @@ function(kappa_add_library component)
   add_library(kappa_${component} ${arg_SOURCES})
   add_library(kappa::${component} ALIAS kappa_${component})
   target_compile_features(kappa_${component} PUBLIC cxx_std_17)
-  target_include_directories(kappa_${component} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  target_include_directories(kappa_${component} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
   target_link_libraries(kappa_${component} PRIVATE $<BUILD_INTERFACE:kappa_warnings>)
   # Contracted products would make results depend on the compiler and the machine.
   target_compile_options(kappa_${component} PRIVATE -ffp-contract=off)

@@ -23,6 +23,15 @@ void add_render(CLI::App& program);
 void add_view(CLI::App& program);
 void add_info(CLI::App& program);
 
+/// Asks for one of the sub-commands of `command`; `what` they are called, such as "a shape". Unlike CLI11's own check
+/// this lets a misspelt one be named.
+inline void require_one(CLI::App& command, const std::string& what) {
+  command.require_subcommand(0, 1);
+  command.callback([&command, what] {
+    if (command.get_subcommands().empty()) throw CLI::ValidationError("give " + what);
+  });
+}
+
 /// Adds a sub-command that owns its options: `declare(command, options)` binds them, `run(options)` does the work.
 template <class Options>
 void add_command(CLI::App& program, const std::string& name, const std::string& description,

@@ -17,7 +17,7 @@ struct OutputArguments {
   std::string output, origin;
   std::uint64_t seed = 0;
   std::optional<double> noise_ball, noise_normal;
-  bool drop_normals = false, drop_faces = false, quiet = false;
+  bool drop_normals = false, drop_faces = false, drop_truth = false, quiet = false;
 };
 
 void declare_output(CLI::App& shape, OutputArguments& o) {
@@ -29,6 +29,7 @@ void declare_output(CLI::App& shape, OutputArguments& o) {
   shape.add_option("--noise-normal", o.noise_normal, "Moves points along their normals, standard deviation as a length");
   shape.add_flag("--no-normals", o.drop_normals, "Leave the normals out");
   shape.add_flag("--no-faces", o.drop_faces, "Leave the faces out: a cloud");
+  shape.add_flag("--no-truth", o.drop_truth, "Leave out true curvature and every other field: a small file");
   shape.add_flag("--quiet", o.quiet, "Say nothing");
 }
 
@@ -51,6 +52,7 @@ void finish(Scan scan, const OutputArguments& o) {
   add_noise_as_asked(scan, o);
   if (o.drop_normals) scan.normals.clear();
   if (o.drop_faces) scan.faces.clear();
+  if (o.drop_truth) scan.fields.clear();
   if (!o.origin.empty()) {
     const std::vector<double> v = parse_numbers("--origin", o.origin, 3);
     scan.origin += Vec3(v[0], v[1], v[2]);
@@ -253,7 +255,7 @@ void add_scans(CLI::App& generate) {
 
 void add_generate(CLI::App& program) {
   CLI::App* generate = program.add_subcommand("generate", "Analytic shapes and simulated scans with true curvature");
-  generate->require_subcommand(1);
+  require_one(*generate, "a shape");
   add_sphere(*generate);
   add_torus(*generate);
   add_cylinder(*generate);

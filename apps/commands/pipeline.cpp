@@ -65,6 +65,7 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
 }
 
 Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
+  parse_radii(arguments.measure.radii);  // a wrong use is told before any work
   Measured m = prepare(arguments, stages);
   const std::vector<double> radii = choose_radii(arguments, m);
   m.fields = stages.run("curvatures",

@@ -13,7 +13,7 @@ namespace kappa::app {
 namespace {
 
 struct RenderArguments {
-  std::string input, output, field, range, camera, size, unit;
+  std::string input, output, field, range, camera, up, size, unit;
   FigureOptions figure;
   ScalarStyle style;
   bool labels = false, edges = false, sequential = false, quiet = false;
@@ -41,6 +41,8 @@ void declare_render(CLI::App& command, RenderArguments& arguments) {
   declare_style(command, arguments);
   command.add_option("--title", arguments.figure.title, "Text above the picture");
   command.add_option("--camera", arguments.camera, "AZIMUTH,ELEVATION in degrees; default: chosen from the shape");
+  command.add_option("--up", arguments.up, "Axis that points up: y, z; default: chosen from the shape")
+      ->check(CLI::IsMember({"y", "z"}));
   command.add_option("--size", arguments.size, "WIDTH,HEIGHT in pixels")->option_text("W,H=1600,1000");
   command.add_option("--point-size", arguments.figure.point_size, "Diameter of points in pixels, 0 to close the gaps")
       ->check(CLI::NonNegativeNumber)
@@ -52,10 +54,14 @@ void declare_render(CLI::App& command, RenderArguments& arguments) {
 FigureOptions figure_options(const RenderArguments& arguments, const Scan& scan) {
   FigureOptions options = arguments.figure;
   options.edges = arguments.edges ? Edges::Shown : Edges::Hidden;
+  Camera camera = automatic_camera(scan);
+  if (!arguments.up.empty()) camera.up = arguments.up == "y" ? UpAxis::Y : UpAxis::Z;
   if (!arguments.camera.empty()) {
     const std::vector<double> angles = parse_numbers("--camera", arguments.camera, 2);
-    options.camera = Camera{angles[0], angles[1], 1.0};
+    camera.azimuth = angles[0];
+    camera.elevation = angles[1];
   }
+  options.camera = camera;
   if (!arguments.size.empty()) {
     const std::vector<double> size = parse_numbers("--size", arguments.size, 2);
     options.width = static_cast<int>(std::clamp(size[0], 0.0, 1e6));

@@ -35,29 +35,32 @@ struct DiscPart {
   Vec3 moment = Vec3::Zero();
 };
 
-/// Unit vector along v, or 0 if v is 0.
-Vec3 direction(const Vec3& v) { return v / std::sqrt(std::max(v.squaredNorm(), kTiniest)); }
-
-/// Adds twice the area and the moments of (disc centre, a, b) n disc for the edge from `a` in direction `e`:
-/// a chord part, and sectors beyond it on either side. Signed, so that the three edges of a triangle add up to it.
+/// Adds the area and the moment of (disc centre, edge) n disc for the edge from `a` in direction `e`: a chord part,
+/// and sectors beyond it on either side. Signed, so that the three edges of a triangle add up to it.
 void add_edge(const Vec3& a, const Vec3& e, double length, const Vec3& n, double r_sq, double r, DiscPart& part) {
-  const double h = n.dot(a.cross(e));
+  // In the frame (e, m = n x e) around the disc's centre the edge is at (ta ... tb, -h), its part in the disc at
+  // (sa ... sb, -h).
+  const double h = n.dot(a.cross(e)), h_sq = h * h;
   const double ta = a.dot(e), tb = ta + length;
-  const double w = std::sqrt(std::max(0.0, r_sq - h * h));
+  const double w = std::sqrt(std::max(0.0, r_sq - h_sq));
   const double sa = std::clamp(ta, -w, w), sb = std::clamp(tb, -w, w);
 
   // Product of the two complex numbers whose arguments are the angles of the sectors: one atan2 an edge.
-  const double re_a = ta * sa + h * h, im_a = h * (sa - ta);
-  const double re_b = sb * tb + h * h, im_b = h * (tb - sb);
+  const double re_a = ta * sa + h_sq, im_a = h * (sa - ta);
+  const double re_b = sb * tb + h_sq, im_b = h * (tb - sb);
   const double theta = std::atan2(re_a * im_b + im_a * re_b, re_a * re_b - im_a * im_b);
   const double chord = h * (sb - sa);
   part.area += 0.5 * (chord + r_sq * theta);
 
-  const Vec3 to_line = h * e.cross(n);  // from the disc's centre to the line of the edge
-  const Vec3 pa = to_line + ta * e, qa = to_line + sa * e, qb = to_line + sb * e, pb = to_line + tb * e;
-  // For an end inside the disc both directions are the same number and cancel exactly.
-  const Vec3 turn = (direction(qa) - direction(pa)) + (direction(pb) - direction(qb));
-  part.moment += (chord / 6) * (qa + qb) + (r * r_sq / 3) * turn.cross(n);
+  // A sector's moment is r^3/3 times the difference of the directions of its sides, turned by a right angle. For an
+  // end inside the disc both directions are the same number and cancel exactly.
+  const auto over_norm = [h_sq](double t) { return 1 / std::sqrt(std::max(t * t + h_sq, kTiniest)); };
+  const double pa = over_norm(ta), qa = over_norm(sa), qb = over_norm(sb), pb = over_norm(tb);
+  const double turn_e = (sa * qa - ta * pa) + (tb * pb - sb * qb), turn_m = -h * ((qa - pa) + (pb - qb));
+  const double sector = r * r_sq / 3;
+  const double moment_e = chord / 6 * (sa + sb) + sector * turn_m;
+  const double moment_m = chord / 6 * (-2 * h) - sector * turn_e;
+  part.moment += moment_e * e + moment_m * n.cross(e);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ double curvature_threshold(const CurvatureField& coarse, const CurvatureField& f
     throw Error(ErrorCode::InvalidArgument, "fields of " + std::to_string(coarse.samples.size()) + " and " +
                                                 std::to_string(fine.samples.size()) + " points at scale " +
                                                 std::to_string(scale) + ": give fields of the same points, scale > 0");
-  constexpr double kLeast = 1e-6;
+  constexpr double kLeast = 1e-6, kMedians = 1.5;
   std::vector<double> differences;
   for (std::size_t i = 0; i < coarse.samples.size(); ++i) {
     const Curvatures &a = coarse.samples[i].k, &b = fine.samples[i].k;
@@ -43,7 +43,7 @@ double curvature_threshold(const CurvatureField& coarse, const CurvatureField& f
     differences.push_back(std::abs(a.k_max - b.k_max));
   }
   const double typical = percentile(differences, 50);
-  return std::isnan(typical) ? kNaN : std::max(2 * typical, kLeast / scale);
+  return std::isnan(typical) ? kNaN : std::max(kMedians * typical, kLeast / scale);
 }
 
 double estimate_threshold(const BallSum& balls, const std::vector<Vec3>& centres, const Normals& u,
@@ -54,7 +54,7 @@ double estimate_threshold(const BallSum& balls, const std::vector<Vec3>& centres
                                                 std::to_string(centres.size()) + " centres at spacing " +
                                                 std::to_string(spacing) + ": give one each, spacing > 0");
   const std::size_t step = std::max<std::size_t>(1, centres.size() / kSample);
-  const double other = field.radius > 0 ? field.radius / std::sqrt(2.0) : spacing;
+  const double other = field.radius > 0 ? field.radius / 2 : spacing;
   const CurvatureField own{field.radius, every(step, field.samples)};
   const std::vector<CurvatureField> fine =
       estimate_curvatures(balls, every(step, centres), every(step, u), {other}, ball, run);

@@ -2,16 +2,9 @@
 #include "delaunay_star.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kappa {
-namespace {
-
-/// Size of the perturbation that breaks ties, relative to the squared reach: above what the different tangent planes of
-/// a curved surface make of the corners of a grid cell (a part (spacing / radius)^2), below what matters for the shape
-/// of triangles.
-constexpr double kTieBreak = 2e-3;
-
-}  // namespace
 
 void DelaunayStar::clip(const Vec2& normal, double offset, int bisector) {
   clipped_.clear();
@@ -29,22 +22,24 @@ void DelaunayStar::clip(const Vec2& normal, double offset, int bisector) {
 }
 
 const std::vector<std::pair<int, int>>& DelaunayStar::compute(const std::vector<Neighbour>& neighbours,
-                                                              double own_tie_break, double reach) {
+                                                              double own_weight, double reach) {
   triangles_.clear();
   cell_ = {{{-reach, -reach}, -1}, {{reach, -reach}, -1}, {{reach, reach}, -1}, {{-reach, reach}, -1}};
-  const double unit = kTieBreak * reach * reach;
   for (std::size_t i = 0; i < neighbours.size() && cell_.size() > 2; ++i) {
     const Vec2& q = neighbours[i].position;
     const double distance_sq = q.squaredNorm();
     constexpr double kSamePlace = 1e-12;
     if (distance_sq <= kSamePlace * reach * reach) continue;
-    const double power = distance_sq + unit * (own_tie_break - neighbours[i].tie_break);
-    clip(q, 0.5 * power, static_cast<int>(i));
+    clip(q, 0.5 * (distance_sq + own_weight - neighbours[i].weight), static_cast<int>(i));
   }
+  double radius_sq = 0;
   for (std::size_t i = 0; i < cell_.size(); ++i) {
     const int a = cell_[(i + cell_.size() - 1) % cell_.size()].bisector, b = cell_[i].bisector;
-    if (a >= 0 && b >= 0 && a != b && cell_[i].position.squaredNorm() <= reach * reach) triangles_.emplace_back(a, b);
+    const double distance_sq = cell_[i].position.squaredNorm();
+    radius_sq = std::max(radius_sq, distance_sq);
+    if (a >= 0 && b >= 0 && a != b && distance_sq <= reach * reach) triangles_.emplace_back(a, b);
   }
+  cell_radius_ = std::min(std::sqrt(radius_sq), reach);
   return triangles_;
 }
 

@@ -11,18 +11,23 @@ namespace kappa {
 /// Computes stars of Delaunay triangulations in the plane, reusing its memory.
 class DelaunayStar {
  public:
-  /// A point around the origin. `tie_break` in [-1, 1] must be a function of the point alone: it decides
-  /// between triangulations of (nearly) cocircular points, alike in every star that the points take part in.
+  /// A point around the origin. `weight` is a squared length, small beside the squared distances, that must be a
+  /// function of the point alone: it decides between triangulations of (nearly) cocircular points, alike in every star
+  /// that the points take part in.
   struct Neighbour {
     Vec2 position;
-    double tie_break;
+    double weight;
   };
 
-  /// Triangles (origin, a, b), counter-clockwise, of the Delaunay triangulation of the origin and `neighbours`,
+  /// Triangles (origin, a, b), counter-clockwise, of the weighted Delaunay triangulation of the origin and `neighbours`,
   /// as pairs of indices in the order of their direction. Only those whose circumcentre lies within `reach` of
-  /// the origin. Neighbours are given by increasing distance; those at the origin are passed over.
-  const std::vector<std::pair<int, int>>& compute(const std::vector<Neighbour>& neighbours, double own_tie_break,
+  /// the origin. Neighbours at the origin are passed over.
+  const std::vector<std::pair<int, int>>& compute(const std::vector<Neighbour>& neighbours, double own_weight,
                                                   double reach);
+
+  /// Radius of the last Voronoi cell around the origin, at most `reach`. Points farther than twice this take no part
+  /// in the star.
+  double cell_radius() const { return cell_radius_; }
 
  private:
   /// A corner of the Voronoi cell of the origin with the neighbour whose bisector leaves it, -1 for none.
@@ -34,6 +39,7 @@ class DelaunayStar {
 
   std::vector<Corner> cell_, clipped_;
   std::vector<std::pair<int, int>> triangles_;
+  double cell_radius_ = 0;
 };
 
 }  // namespace kappa

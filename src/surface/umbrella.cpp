@@ -38,43 +38,86 @@ struct Distinct {
   std::vector<Index> original;
 };
 
+/// The neighbours of every distinct point, nearest first.
+struct Neighbourhoods {
+  std::size_t k = 0;             ///< most neighbours of a point
+  std::vector<Index> items;      ///< k a point, kNoIndex where there are fewer
+  std::vector<double> reach;     ///< distance to the last
+  std::vector<double> weights;   ///< see kTieBreak
+};
+
+/// The weight of a point in the Delaunay triangulations, over its squared distance to the nearest neighbour: a random
+/// number of this size. It settles the diagonals of grid cells, alike in all stars, also where the tangent planes of a
+/// curved surface distort each cell a little, by a part (spacing / radius of curvature)^2. No two weights differ by more
+/// than twice this part of the squared distance of their points, so no point is hidden by its neighbours.
+constexpr double kTieBreak = 0.1;
+
+Neighbourhoods find_neighbours(const Distinct& distinct, const NeighbourSearch& search,
+                               const std::vector<Index>& order, int neighbours, const Execution& run) {
+  Neighbourhoods n;
+  n.k = std::min(static_cast<std::size_t>(neighbours), std::max<std::size_t>(distinct.points.size(), 1) - 1);
+  n.items.assign(n.k * distinct.points.size(), kNoIndex);
+  n.reach.assign(distinct.points.size(), 0.0);
+  n.weights.assign(distinct.points.size(), 0.0);
+  parallel_for(distinct.points.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<Index> found;
+    std::vector<double> distances_sq;
+    for (std::size_t at = begin; at < end; ++at) {
+      const Index i = order[at];
+      search.nearest(distinct.points[i], n.k + 1, found, distances_sq);
+      found.erase(std::remove(found.begin(), found.end(), i), found.end());
+      std::copy_n(found.begin(), n.k, n.items.begin() + static_cast<std::ptrdiff_t>(i * n.k));
+      n.reach[i] = std::sqrt(distances_sq.back());
+      if (n.k > 0) n.weights[i] = kTieBreak * distances_sq[1] * tie_break(distinct.original[i]);
+    }
+  });
+  return n;
+}
+
 /// Makes the stars of distinct points, one thread's worth of memory.
 class StarMaker {
  public:
-  StarMaker(const Distinct& distinct, const Normals& normals, const NeighbourSearch& search, int neighbours)
-      : distinct_(distinct), normals_(normals), search_(search), k_(static_cast<std::size_t>(neighbours)) {}
+  StarMaker(const Distinct& distinct, const Normals& normals, const NeighbourSearch& search,
+            const Neighbourhoods& neighbourhoods)
+      : distinct_(distinct), normals_(normals), search_(search), near_(neighbourhoods) {}
 
   Star make(std::size_t i) {
-    search_.nearest(distinct_.points[i], k_ + 1, found_, distances_sq_);
-    project(i);
+    const double reach = near_.reach[i];
+    const Index* first = near_.items.data() + i * near_.k;
+    found_.assign(first, first + near_.k);
+    if (found_.size() < 3) return {};
+    const auto* triangles = &compute(i, reach);
+    if (2 * delaunay_.cell_radius() > reach) {
+      // Points beyond the neighbourhood may still cut the cell: with all that can, the star is exact.
+      search_.within(distinct_.points[i], 2 * delaunay_.cell_radius(), found_, distances_sq_);
+      triangles = &compute(i, reach);
+    }
     Star star;
-    if (neighbours_.size() < 3) return star;
-    const double reach = std::sqrt(distances_sq_.back());
-    for (const auto& [a, b] : delaunay_.compute(neighbours_, tie_break(distinct_.original[i]), reach))
-      star.emplace_back(names_[static_cast<std::size_t>(a)], names_[static_cast<std::size_t>(b)]);
+    for (const auto& [a, b] : *triangles)
+      star.emplace_back(distinct_.original[found_[static_cast<std::size_t>(a)]],
+                        distinct_.original[found_[static_cast<std::size_t>(b)]]);
     return star;
   }
 
  private:
-  void project(std::size_t i) {
+  /// The triangles of the star of `i` among the points found_.
+  const std::vector<std::pair<int, int>>& compute(std::size_t i, double reach) {
     Vec3 t1, t2;
     tangent_basis(normals_[distinct_.original[i]].normalized(), t1, t2);
     neighbours_.clear();
-    names_.clear();
     for (const Index j : found_) {
-      if (j == i) continue;
       const Vec3 d = distinct_.points[j] - distinct_.points[i];
-      neighbours_.push_back({Vec2(t1.dot(d), t2.dot(d)), tie_break(distinct_.original[j])});
-      names_.push_back(distinct_.original[j]);
+      neighbours_.push_back({Vec2(t1.dot(d), t2.dot(d)), near_.weights[j]});
     }
+    return delaunay_.compute(neighbours_, near_.weights[i], reach);
   }
 
   const Distinct& distinct_;
   const Normals& normals_;
   const NeighbourSearch& search_;
-  const std::size_t k_;
+  const Neighbourhoods& near_;
   DelaunayStar delaunay_;
-  std::vector<Index> found_, names_;
+  std::vector<Index> found_;
   std::vector<double> distances_sq_;
   std::vector<DelaunayStar::Neighbour> neighbours_;
 };
@@ -133,9 +176,10 @@ CloudSurface umbrella_surface(const Vec3& origin, const std::vector<Vec3>& point
                                             " points is finite and has a normal: no surface can be made of them");
   const NeighbourSearch search(distinct.points);
   const std::vector<Index> order = spatial_order(distinct.points);
+  const Neighbourhoods near = find_neighbours(distinct, search, order, options.neighbours, stage(run, 0.0, 0.6));
   std::vector<Star> stars(points.size());
-  parallel_for(distinct.points.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    StarMaker maker(distinct, normals, search, options.neighbours);
+  parallel_for(distinct.points.size(), kBlock, stage(run, 0.6, 1.0), [&](std::size_t begin, std::size_t end, int) {
+    StarMaker maker(distinct, normals, search, near);
     for (std::size_t i = begin; i < end; ++i) stars[distinct.original[order[i]]] = maker.make(order[i]);
   });
   for (const Index i : distinct.original) surface.starless_points += stars[i].empty();

@@ -32,24 +32,33 @@ double extent(const std::vector<Vec3>& points, int axis) {
 
 }  // namespace
 
-Camera automatic_camera(const std::vector<Vec3>& points) {
-  const double x = extent(points, 0), y = extent(points, 1), z = extent(points, 2);
-  if (z < kLowTerrain * std::sqrt(x * y)) return {-18, 48, 1};
-  return {-35, 22, 1};
+Camera automatic_camera(const Scan& scan) {
+  const double x = extent(scan.points, 0), y = extent(scan.points, 1), z = extent(scan.points, 2);
+  if (z < kLowTerrain * std::sqrt(x * y)) return {-18, 48, 1, UpAxis::Z};
+  if (!scan.is_mesh()) return {-35, 22, 1, UpAxis::Z};
+  if (y < kLowTerrain * std::sqrt(x * z)) return {-18, 48, 1, UpAxis::Y};
+  return {-35, 22, 1, UpAxis::Y};
 }
 
 namespace view_detail {
 
+namespace {
+
+/// `v` of a world whose z is up, in that of the camera.
+Vec3 turned(const Vec3& v, UpAxis up) { return up == UpAxis::Z ? v : Vec3(v.x(), v.z(), -v.y()); }
+
+}  // namespace
+
 Vec3 towards_eye(const Camera& camera) {
   const double a = camera.azimuth * kPi / 180, e = camera.elevation * kPi / 180;
-  return {std::cos(e) * std::sin(a), -std::cos(e) * std::cos(a), std::sin(e)};
+  return turned({std::cos(e) * std::sin(a), -std::cos(e) * std::cos(a), std::sin(e)}, camera.up);
 }
 
 void place_camera(vtkCamera* placed, const std::vector<Vec3>& points, const Camera& camera, double aspect,
                   const Frame& frame) {
   const Vec3 towards = towards_eye(camera);
   const double a = camera.azimuth * kPi / 180;
-  const Vec3 right(std::cos(a), std::sin(a), 0);
+  const Vec3 right = turned({std::cos(a), std::sin(a), 0}, camera.up);
   const Vec3 up = towards.cross(right);
   // A point (r, u, d) in the axes right, up, towards is seen at ((r - cr) / ((cd - d) t aspect), (u - cu) / ((cd - d)
   // t)) from an eye at (cr, cu, cd). Each side of the frame is a plane through the eye: all points are to be on its

@@ -71,7 +71,7 @@ void draw(const std::string& path, const Scan& scan, const FigureOptions& option
   const VirtualDisplay display;
   const int width = kReduction * options.width, height = kReduction * options.height;
   const double scale = std::min(width / 1600.0, height / 1000.0);
-  const Camera camera = options.camera ? *options.camera : automatic_camera(scan.points);
+  const Camera camera = options.camera ? *options.camera : automatic_camera(scan);
 
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);

@@ -94,7 +94,7 @@ void make_box(vtkTextProperty* property) {
 }  // namespace
 
 ViewerWindow::ViewerWindow(const Scan& scan, const ViewerOptions& options, WindowEvents events)
-    : events_(std::move(events)), camera_(automatic_camera(scan.points)), scene_(scan, [&] {
+    : events_(std::move(events)), camera_(options.camera ? *options.camera : automatic_camera(scan)), scene_(scan, [&] {
         SceneOptions scene;
         scene.camera = camera_;
         return scene;

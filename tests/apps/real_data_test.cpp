@@ -29,7 +29,8 @@ struct RealData : testing::Test {
   void expect_same_points() const {
     ASSERT_EQ(out.points.size(), in.points.size());
     for (std::size_t i = 0; i < in.points.size(); ++i) {
-      if (is_finite(in.points[i])) ASSERT_EQ((out.points[i] + out.origin).eval(), (in.points[i] + in.origin).eval());
+      if (!is_finite(in.points[i])) continue;
+      ASSERT_EQ((out.points[i] + out.origin).eval(), (in.points[i] + in.origin).eval());
     }
   }
 
@@ -51,7 +52,7 @@ struct RealData : testing::Test {
     for (std::size_t i = 0; i < mean.size(); ++i) {
       ASSERT_EQ(std::isnan(mean[i]), status[i] != 0) << i;
       ASSERT_EQ(std::isnan(k_min[i]), status[i] != 0) << i;
-      if (status[i] == 0) ASSERT_LE(k_min[i], k_max[i]) << i;
+      ASSERT_FALSE(k_min[i] > k_max[i]) << i;
     }
   }
 };

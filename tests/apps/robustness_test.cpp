@@ -35,7 +35,7 @@ TEST(Robustness, HelpAndVersion) {
 }
 
 TEST(Robustness, WrongUseIsExitCode2) {
-  expect_usage_error({}, "subcommand");
+  expect_usage_error({}, "give a command");
   expect_usage_error({"sing"}, "sing");
   expect_usage_error({"curvature"}, "input");
   expect_usage_error({"curvature", "a.ply", "b.ply", "--radius", "-1"}, "negative");

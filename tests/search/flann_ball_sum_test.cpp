@@ -141,7 +141,9 @@ TEST(FlannBallSum, CanBeCancelled) {
   Execution run;
   run.cancel = &stop;
   std::size_t answered = 0;
-  const auto sink = [&](std::size_t, const BallMeasures*) { stop = ++answered == 10; };
+  const auto sink = [&](std::size_t, const BallMeasures*) {
+    if (++answered == 10) stop = true;
+  };
   EXPECT_THROW(flann.sum(torus.mesh.vertices, {0.5}, BallDefinition::ExactDensity, run, sink), Cancelled);
   EXPECT_LT(answered, torus.mesh.vertices.size());
 }

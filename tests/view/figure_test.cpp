@@ -274,18 +274,48 @@ TEST_F(FigureTest, AFewPointsAndPointsThatCoincide) {
 }
 
 TEST(AutomaticCamera, TerrainIsSeenFromTheSouthAndAbove) {
-  std::vector<Vec3> terrain, block;
+  Scan terrain, block;
   for (int i = 0; i < 1000; ++i) {
     const Vec3 x(i % 10, i / 10 % 10, i / 100);
-    block.push_back(x);
-    terrain.push_back(x.cwiseProduct(Vec3(10, 10, 1)));
+    block.points.push_back(x);
+    terrain.points.push_back(x.cwiseProduct(Vec3(10, 10, 1)));
   }
-  terrain.emplace_back(50, 50, 4000);  // a bird
+  terrain.points.emplace_back(50, 50, 4000);  // a bird
   const Camera camera = automatic_camera(terrain);
   EXPECT_GE(camera.elevation, 45);
   EXPECT_LE(camera.elevation, 50);
   EXPECT_LE(std::abs(camera.azimuth), 30);
   EXPECT_LT(automatic_camera(block).elevation, 35);
+}
+
+TEST(AutomaticCamera, YIsUpForMeshesThatAreNotLowInZ) {
+  Scan block, tile;
+  for (int i = 0; i < 1000; ++i) {
+    block.points.emplace_back(i % 10, i / 10 % 10, i / 100);
+    tile.points.push_back(block.points.back().cwiseProduct(Vec3(10, 10, 1)));
+  }
+  EXPECT_EQ(automatic_camera(block).up, UpAxis::Z);
+  for (Scan* scan : {&block, &tile}) scan->faces.add(0, 1, 2);
+  EXPECT_EQ(automatic_camera(block).up, UpAxis::Y);
+  EXPECT_EQ(automatic_camera(tile).up, UpAxis::Z);
+}
+
+TEST_F(FigureTest, TheUpAxisPointsUp) {
+  scan_ = Scan();
+  scan_.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 0, 1}, {0, 2, 0}, {1, 2, 0}, {0.5, 2, 1}};
+  scan_.faces.add(0, 1, 2);
+  scan_.faces.add(3, 4, 5);
+  values_ = {-1, -1, -1, 1, 1, 1};  // red where y is high
+  options_.shading = Shading::None;
+  options_.camera = Camera{0, 20, 1, UpAxis::Y};
+  const Picture picture = scalar("up.png");
+  const auto red = [](Rgb c) { return c.r > c.b + 60; };
+  const auto blue = [](Rgb c) { return c.b > c.r + 60; };
+  const int half = kHeight / 2, width = kWidth - kStrip;
+  EXPECT_GT(picture.count(0, half, width, kHeight, red), 50);
+  EXPECT_EQ(picture.count(0, 0, width, half, red), 0);
+  EXPECT_GT(picture.count(0, 0, width, half, blue), 50);
+  EXPECT_EQ(picture.count(0, half, width, kHeight, blue), 0);
 }
 
 TEST(DirectionFieldsOfAScan, AreFoundByName) {

@@ -77,6 +77,7 @@ class ViewerTest : public ::testing::Test {
     options_.radius = 0.5;
     options_.min_radius = 0.1;
     options_.max_radius = 10;
+    options_.camera = Camera{-35, 22, 1, UpAxis::Z};
     options_.picture_folder = folder_ / "";
     viewer_ = std::make_unique<Viewer>(
         scan_, [this](double radius, const Execution& run) { return compute(radius, run); }, options_);

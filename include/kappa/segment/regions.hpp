@@ -13,9 +13,10 @@ std::vector<Label> classify(const CurvatureField& field, double threshold);
 
 /// The size below which the data cannot tell a principal curvature from 0, from two fields of the same points
 /// at different scales: noise and sampling change from scale to scale, and so does the bias, while
-/// what is there stays. With the finer radius = coarser / sqrt(2) half the bias of order rho^2 shows in the
-/// difference, so the estimate is twice the median of |k(coarse) - k(fine)| over both k, but never
-/// less than 1e-6 / scale. `scale` > 0 is the coarser radius, or the edge length at radius 0.
+/// what is there stays. The estimate is one and a half times the median of |k(coarse) - k(fine)| over both k. With
+/// the finer radius = coarser / 2, whose bias of order rho^2 is a quarter as large, this is about the bias of the coarser;
+/// where noise rules, that of the finer exceeds that of the coarser and the estimate is about three standard
+/// deviations of the latter. Never less than 1e-6 / scale. `scale` > 0 is the coarser radius, or the edge length at radius 0.
 /// NaN if no point is valid in both.
 double curvature_threshold(const CurvatureField& coarse, const CurvatureField& fine, double scale);
 

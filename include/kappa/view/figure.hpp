@@ -10,16 +10,22 @@
 
 namespace kappa {
 
+/// The axis that points up in a picture.
+enum class UpAxis { Y, Z };
+
 /// Where a figure is seen from. The picture is always filled with the data.
 struct Camera {
-  double azimuth = 0;     ///< degrees, 0 = from the south (-y), growing counter-clockwise seen from above
+  /// Degrees, growing counter-clockwise seen from above; 0 = from the south (-y, or +z where y is up).
+  double azimuth = 0;
   double elevation = 45;  ///< degrees above the horizon, in [-90, 90]
   double zoom = 1;        ///< 1 = all of the data, 2 = twice as large
+  UpAxis up = UpAxis::Z;
 };
 
 /// The view of a figure that names none. Terrain (low for its extent in plan): oblique, from the south, 45 to 50
-/// degrees up. Anything else: three-quarter view.
-Camera automatic_camera(const std::vector<Vec3>& points);
+/// degrees up. Anything else: three-quarter view. Up is z for clouds and for whatever is low in z, y for other meshes,
+/// as modellers have it.
+Camera automatic_camera(const Scan& scan);
 
 enum class Shading {
   None,   ///< the colour of a value is exactly that of the colour bar
