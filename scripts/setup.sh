@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(
-  g++ cmake ninja-build pkg-config ccache
+  g++ cmake ninja-build pkg-config ccache clang-format
   libpcl-dev libeigen3-dev libflann-dev liblz4-dev zlib1g-dev libcli11-dev
   libgtest-dev libbenchmark-dev
   xvfb xauth libgl1-mesa-dri

@@ -8,6 +8,7 @@ root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 cd "$root"
 jobs=$(nproc)
 
+scripts/lint.sh
 cmake --preset ci
 cmake --build --preset ci --parallel "$jobs"
 ctest --preset ci

@@ -28,8 +28,8 @@ void declare_compare(CLI::App& command, CompareArguments& arguments) {
 }
 
 void print_table(const std::vector<ErrorStatistics>& all) {
-  std::printf("%-20s %9s %9s %10s %10s %10s %10s %10s %10s %10s\n", "field", "compared", "missing", "rms", "max", "50 %",
-              "90 %", "99 %", "bias", "truth rms");
+  std::printf("%-20s %9s %9s %10s %10s %10s %10s %10s %10s %10s\n", "field", "compared", "missing", "rms", "max",
+              "50 %", "90 %", "99 %", "bias", "truth rms");
   for (const ErrorStatistics& s : all) {
     std::printf("%-20s %9zu %9zu", s.field.c_str(), s.compared, s.missing);
     for (const double value : {s.rms, s.max, s.p50, s.p90, s.p99, s.mean, s.truth_rms})

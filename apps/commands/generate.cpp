@@ -26,7 +26,8 @@ void declare_output(CLI::App& shape, OutputArguments& o) {
   shape.add_option("--seed", o.seed, "Seed of whatever is random")->capture_default_str();
   shape.add_option("--origin", o.origin, "X,Y,Z that is added to the coordinates");
   shape.add_option("--noise", o.noise_ball, "Moves vertices within a ball of this part of their mean edge");
-  shape.add_option("--noise-normal", o.noise_normal, "Moves points along their normals, standard deviation as a length");
+  shape.add_option("--noise-normal", o.noise_normal,
+                   "Moves points along their normals, standard deviation as a length");
   shape.add_flag("--no-normals", o.drop_normals, "Leave the normals out");
   shape.add_flag("--no-faces", o.drop_faces, "Leave the faces out: a cloud");
   shape.add_flag("--no-truth", o.drop_truth, "Leave out true curvature and every other field: a small file");
@@ -58,8 +59,7 @@ void finish(Scan scan, const OutputArguments& o) {
     scan.origin += Vec3(v[0], v[1], v[2]);
   }
   write_scan(o.output, scan);
-  if (!o.quiet)
-    std::printf("%s: %zu points, %zu faces\n", o.output.c_str(), scan.points.size(), scan.faces.size());
+  if (!o.quiet) std::printf("%s: %zu points, %zu faces\n", o.output.c_str(), scan.points.size(), scan.faces.size());
 }
 
 /// Adds the sub-command of one shape: `declare` binds its options, `make(options, seed)` makes the scan.
@@ -79,10 +79,10 @@ void add_shape(CLI::App& generate, const std::string& name, const std::string& d
 
 void add_grid_faces(CLI::App& shape, GridFaces& faces) {
   shape.add_option("--faces", faces, "triangles, other-diagonal, quads")
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, GridFaces>>{
-          {"triangles", GridFaces::Triangles},
-          {"other-diagonal", GridFaces::OtherDiagonal},
-          {"quads", GridFaces::Quads}}))
+      ->transform(CLI::CheckedTransformer(
+          std::vector<std::pair<std::string, GridFaces>>{{"triangles", GridFaces::Triangles},
+                                                         {"other-diagonal", GridFaces::OtherDiagonal},
+                                                         {"quads", GridFaces::Quads}}))
       ->option_text("KIND=triangles");
 }
 
@@ -152,7 +152,8 @@ void add_cylinder(CLI::App& generate) {
         add_value(c, "--height", o.shape.height, "Height");
         add_value(c, "--slices", o.shape.slices, "Vertices around the axis");
         add_value(c, "--rings", o.shape.rings, "Bands along the axis");
-        c.add_flag_callback("--caps", [&o] { o.shape.caps = CylinderCaps::Flat; }, "Close the ends with discs");
+        c.add_flag_callback(
+            "--caps", [&o] { o.shape.caps = CylinderCaps::Flat; }, "Close the ends with discs");
         add_grid_faces(c, o.shape.faces);
         add_samples(c, o.points);
       },
@@ -216,7 +217,9 @@ void add_goursat(CLI::App& generate) {
             ->option_text("KIND=marching-cubes");
         add_samples(c, o.points);
       },
-      [](const O& o, std::uint64_t seed) { return o.points ? sample_goursat({o.points, seed}) : goursat(o.shape); });
+      [](const O& o, std::uint64_t seed) {
+        return o.points ? sample_goursat({o.points, seed}) : goursat(o.shape);
+      });
 }
 
 void add_scans(CLI::App& generate) {
@@ -228,7 +231,8 @@ void add_scans(CLI::App& generate) {
         add_value(c, "--density", o.density, "Points per square metre");
         add_value(c, "--range-noise", o.range_noise, "Standard deviation along the beam, m");
         add_value(c, "--duplicates", o.duplicates, "Share of points stored twice");
-        c.add_flag_callback("--true-normals", [&o] { o.normals = ScanNormals::True; }, "Write the true normals");
+        c.add_flag_callback(
+            "--true-normals", [&o] { o.normals = ScanNormals::True; }, "Write the true normals");
       },
       [](AirborneOptions o, std::uint64_t seed) {
         o.seed = seed;

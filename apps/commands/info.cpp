@@ -59,8 +59,9 @@ std::string field_names(const Scan& scan) {
 void print_topology(const Topology& t, double edge) {
   std::printf("faces       %zu: %zu triangles, %zu quads, %zu larger; median edge %s\n", t.faces, t.triangles, t.quads,
               t.polygons, short_number(edge).c_str());
-  std::printf("edges       %zu: %zu on a border, %zu in more than two faces, %zu with faces turned against each other\n",
-              t.edges, t.border_edges, t.nonmanifold_edges, t.inconsistent_edges);
+  std::printf(
+      "edges       %zu: %zu on a border, %zu in more than two faces, %zu with faces turned against each other\n",
+      t.edges, t.border_edges, t.nonmanifold_edges, t.inconsistent_edges);
   std::printf("topology    %zu component%s, Euler number %ld, %zu vertices in no face\n", t.components,
               t.components == 1 ? "" : "s", t.euler, t.isolated_vertices);
 }
@@ -77,8 +78,7 @@ void print_text(const std::string& input, const Info& info) {
   std::printf("spacing     %s (median distance to the nearest other point)\n", short_number(info.spacing).c_str());
   std::printf("normals     %s\n", s.normals.empty() ? "none" : "one a point");
   std::printf("fields      %s\n", field_names(s).c_str());
-  if (s.viewpoint)
-    std::printf("viewpoint   %g %g %g\n", s.viewpoint->x(), s.viewpoint->y(), s.viewpoint->z());
+  if (s.viewpoint) std::printf("viewpoint   %g %g %g\n", s.viewpoint->x(), s.viewpoint->y(), s.viewpoint->z());
   if (s.is_mesh()) print_topology(info.topology, info.edge);
   std::printf("suggested   --radius %s (5 median edges%s)\n", short_number(info.radius).c_str(),
               s.is_mesh() ? "; 0 for the finest scale" : " of the umbrella surface");

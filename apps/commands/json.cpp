@@ -29,10 +29,18 @@ std::string json_string(std::string_view value) {
   return text + '"';
 }
 
-Json& Json::add(std::string_view key, double value) { return add_raw(key, json_number(value)); }
-Json& Json::add(std::string_view key, std::size_t value) { return add_raw(key, std::to_string(value)); }
-Json& Json::add(std::string_view key, std::string_view value) { return add_raw(key, json_string(value)); }
-Json& Json::add(std::string_view key, const Json& object) { return add_raw(key, object.text()); }
+Json& Json::add(std::string_view key, double value) {
+  return add_raw(key, json_number(value));
+}
+Json& Json::add(std::string_view key, std::size_t value) {
+  return add_raw(key, std::to_string(value));
+}
+Json& Json::add(std::string_view key, std::string_view value) {
+  return add_raw(key, json_string(value));
+}
+Json& Json::add(std::string_view key, const Json& object) {
+  return add_raw(key, object.text());
+}
 
 Json& Json::add_raw(std::string_view key, const std::string& value) {
   body_ += (body_.empty() ? "" : ", ") + json_string(key) + ": " + value;

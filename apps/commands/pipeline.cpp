@@ -4,15 +4,35 @@
 #include <algorithm>
 
 #include "kappa/core/error.hpp"
+#include "kappa/io/las.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/search/flann_ball_sum.hpp"
 
 namespace kappa::app {
 
-void declare_input_output(CLI::App& command, CurvatureArguments& arguments) {
-  command.add_option("input", arguments.input, "Scan or mesh: .pcd .ply .obj .off .stl .vtp .xyz .pts .txt .csv")
+namespace {
+
+std::unique_ptr<BallSum> make_engine(MeasuredTriangles triangles, const MeasureArguments& arguments) {
+  if (arguments.engine == "flann") return std::make_unique<FlannBallSum>(std::move(triangles));
+  return std::make_unique<MeasureTree>(std::move(triangles), arguments.precision);
+}
+
+/// Curvature needs one unit of length: degrees are none.
+void refuse_degrees(const std::string& input, const Scan& scan) {
+  if (!looks_geographic(scan)) return;
+  throw Error(ErrorCode::InvalidData, input +
+                                          ": its x and y are degrees, in which no curvature can be measured; "
+                                          "project it first, for instance with 'pdal translate' and "
+                                          "--filters.reprojection.out_srs=EPSG:32632 (your UTM zone)");
+}
+
+}  // namespace
+
+void declare_files(CLI::App& command, SurfaceCommand& arguments, const std::string& outputs) {
+  command.add_option("input", arguments.input, "Scan or mesh: .pcd .ply .obj .off .stl .vtp .las .xyz .pts .txt .csv")
       ->required();
-  command.add_option("output", arguments.output, "Result: .ply .pcd .csv .vtp")->required();
+  command.add_option("output", arguments.output, "Result: " + outputs)->required();
 }
 
 void declare_stages(CLI::App& command, CurvatureArguments& arguments) {
@@ -21,15 +41,21 @@ void declare_stages(CLI::App& command, CurvatureArguments& arguments) {
   declare(command, arguments.run);
 }
 
-Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
+SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages) {
   const SurfaceOptions options = surface_options(arguments.surface);
+  SurfaceResult r;
+  r.scan = stages.run("read", [&](const Execution&) { return read_scan(arguments.input); });
+  refuse_degrees(arguments.input, r.scan);
+  r.surface = stages.run("surface", [&](const Execution& run) { return make_surface(r.scan, options, run); });
+  if (arguments.surface.flip) r.surface.u = flipped(r.surface.u);
+  return r;
+}
+
+Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
   Measured m;
-  m.scan = stages.run("read", [&](const Execution&) { return read_scan(arguments.input); });
-  m.surface = stages.run("surface", [&](const Execution& run) { return make_surface(m.scan, options, run); });
-  if (arguments.surface.flip) m.surface.u = flipped(m.surface.u);
+  static_cast<SurfaceResult&>(m) = read_and_make_surface(arguments, stages);
   m.balls = stages.run("measures", [&](const Execution& run) {
-    return std::make_unique<FlannBallSum>(
-        measure_triangles(m.surface.mesh, m.surface.u, arguments.measure.quads, run));
+    return make_engine(measure_triangles(m.surface.mesh, m.surface.u, arguments.measure.quads, run), arguments.measure);
   });
   return m;
 }
@@ -68,8 +94,7 @@ Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
   parse_radii(arguments.measure.radii);  // a wrong use is told before any work
   Measured m = prepare(arguments, stages);
   const std::vector<double> radii = choose_radii(arguments, m);
-  m.fields = stages.run("curvatures",
-                        [&](const Execution& run) { return measure(m, arguments.measure, radii, run); });
+  m.fields = stages.run("curvatures", [&](const Execution& run) { return measure(m, arguments.measure, radii, run); });
   for (const CurvatureField& field : m.fields) {
     if (summarise(field).valid == 0)
       throw Error(ErrorCode::InvalidData, arguments.input + ": no point has a curvature at radius " +
@@ -79,16 +104,17 @@ Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
   return m;
 }
 
-Scan output_scan(const Measured& measured) {
-  const Scan& in = measured.scan;
+Scan output_scan(const SurfaceResult& result) {
+  const Scan& in = result.scan;
   Scan out;
   out.origin = in.origin;
   out.points = in.points;
-  out.normals = measured.surface.u;
+  out.normals = result.surface.u;
   out.faces = in.faces;
   out.width = in.width;
   out.height = in.height;
   out.viewpoint = in.viewpoint;
+  out.las = in.las;
   for (Vec3& u : out.normals) {
     if (u.isZero(0)) u.setConstant(kNaN);
   }

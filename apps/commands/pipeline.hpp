@@ -5,28 +5,38 @@
 #include <string>
 #include <vector>
 
+#include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/mesh.hpp"
-#include "kappa/search/flann_ball_sum.hpp"
 #include "progress.hpp"
 #include "surface_options.hpp"
 
 namespace kappa::app {
 
-/// What `curvature` and `segment` (and `view`) have in common.
-struct CurvatureArguments {
+/// What every command needs that makes a surface of a scan.
+struct SurfaceCommand {
   std::string input, output;
   RunOptions run;
   SurfaceArguments surface;
+};
+/// `outputs` lists the extensions that can be written.
+void declare_files(CLI::App& command, SurfaceCommand& arguments, const std::string& outputs);
+
+/// What `curvature`, `segment` and `view` have in common.
+struct CurvatureArguments : SurfaceCommand {
   MeasureArguments measure;
 };
-void declare_input_output(CLI::App& command, CurvatureArguments& arguments);
 void declare_stages(CLI::App& command, CurvatureArguments& arguments);
 
-/// A scan with everything up to its curvatures.
-struct Measured {
+/// A scan and its surface, with the normals turned round if asked.
+struct SurfaceResult {
   Scan scan;
   Surface surface;
-  std::unique_ptr<FlannBallSum> balls;
+};
+SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages);
+
+/// A scan with everything up to its curvatures.
+struct Measured : SurfaceResult {
+  std::unique_ptr<BallSum> balls;
   std::vector<CurvatureField> fields;  ///< one a radius
   bool automatic = false;              ///< the radius was chosen from the spacing
 };
@@ -46,8 +56,8 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
 /// @throws Error as the stages do, and InvalidData if no point has a curvature.
 Measured measure_input(const CurvatureArguments& arguments, Stages& stages);
 
-/// The points with their corrected normals (NaN where there is none) and faces, as they are written.
-Scan output_scan(const Measured& measured);
+/// The points with their corrected normals (NaN where there is none) and the faces of the scan, as they are written.
+Scan output_scan(const SurfaceResult& result);
 
 /// Suffix of the fields of a radius: empty if there is only one radius.
 std::string field_suffix(const Measured& measured, std::size_t radius);

@@ -29,9 +29,13 @@ void draw_bar(const std::string& name, double done) {
 
 }  // namespace
 
-void catch_interrupts() { std::signal(SIGINT, on_interrupt); }
+void catch_interrupts() {
+  std::signal(SIGINT, on_interrupt);
+}
 
-const std::atomic<bool>& interrupted() { return g_interrupted; }
+const std::atomic<bool>& interrupted() {
+  return g_interrupted;
+}
 
 void clear_progress() {
   if (g_bar_shown.exchange(false)) std::fputs("\r\033[K", stderr);

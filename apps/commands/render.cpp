@@ -77,9 +77,9 @@ const Field& choose_field(const RenderArguments& arguments, const Scan& scan) {
   if (arguments.field.empty() && !scan.fields.empty()) return scan.fields.front();
   std::string names;
   for (const Field& field : scan.fields) names += " " + field.name;
-  throw Error(ErrorCode::InvalidData, arguments.input + " has no field '" + wanted + "'; " +
-                                          (names.empty() ? "it has none: run `kappa curvature` on it first"
-                                                         : "give one of:" + names));
+  throw Error(ErrorCode::InvalidData,
+              arguments.input + " has no field '" + wanted + "'; " +
+                  (names.empty() ? "it has none: run `kappa curvature` on it first" : "give one of:" + names));
 }
 
 /// "mean curvature" for mean_curvature, with the unit the field has.
@@ -101,8 +101,7 @@ ScalarStyle style_of(const RenderArguments& arguments, const Field& field) {
 
 std::vector<Label> labels_of(const RenderArguments& arguments, const Scan& scan) {
   const Field* field = scan.field(arguments.field.empty() ? "label" : arguments.field);
-  if (!field)
-    throw Error(ErrorCode::InvalidData, arguments.input + " has no labels; run `kappa segment` on it first");
+  if (!field) throw Error(ErrorCode::InvalidData, arguments.input + " has no labels; run `kappa segment` on it first");
   std::vector<Label> labels;
   for (const double value : field->values) {
     const bool known = value >= 0 && value < kLabelCount && value == std::floor(value);

@@ -18,7 +18,7 @@ struct SegmentArguments {
 };
 
 void declare_segment(CLI::App& command, SegmentArguments& arguments) {
-  declare_input_output(command, arguments.curvature);
+  declare_files(command, arguments.curvature, ".ply .pcd .csv .vtp");
   declare_stages(command, arguments.curvature);
   command
       .add_option("--kappa-max", arguments.kappa_max,
@@ -44,9 +44,10 @@ double choose_threshold(const SegmentArguments& arguments, const Measured& m, co
   const double threshold = estimate_threshold(*m.balls, m.surface.mesh.vertices, m.surface.u, field,
                                               arguments.curvature.measure.ball, m.surface.spacing, run);
   if (threshold >= 0) return threshold;
-  throw Error(ErrorCode::InvalidData, arguments.curvature.input +
-                                          ": too few points have a curvature to tell flat from curved; give --kappa-max "
-                                          "and --flatness");
+  throw Error(ErrorCode::InvalidData,
+              arguments.curvature.input +
+                  ": too few points have a curvature to tell flat from curved; give --kappa-max "
+                  "and --flatness");
 }
 
 SegmentSummary segment(const SegmentArguments& arguments, const Measured& m, const CurvatureField& field,

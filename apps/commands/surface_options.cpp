@@ -32,14 +32,14 @@ void declare(CLI::App& command, RunOptions& options) {
 void declare(CLI::App& command, SurfaceArguments& options) {
   SurfaceOptions& s = options.surface;
   command.add_option("--surface", s.surface, "Faces: auto, faces (of the file), umbrella (of a cloud)")
-      ->transform(one_of<SurfaceKind>({{"auto", SurfaceKind::Auto},
-                                       {"faces", SurfaceKind::Faces},
-                                       {"umbrella", SurfaceKind::Umbrella}}))
+      ->transform(one_of<SurfaceKind>(
+          {{"auto", SurfaceKind::Auto}, {"faces", SurfaceKind::Faces}, {"umbrella", SurfaceKind::Umbrella}}))
       ->option_text("KIND=auto");
   command.add_option("--neighbours", s.neighbours, "Points in each star of an umbrella surface")
       ->check(CLI::Range(3, 255))
       ->capture_default_str();
-  command.add_option("--normals", s.normals, "auto, input, geometric, area, angle, max (from faces), pca (from points)")
+  command
+      .add_option("--normals", s.normals, "auto, input, geometric, area, angle, max (from faces), pca (from points)")
       ->transform(one_of<NormalsKind>({{"auto", NormalsKind::Auto},
                                        {"input", NormalsKind::Input},
                                        {"geometric", NormalsKind::Geometric},
@@ -85,8 +85,8 @@ void declare(CLI::App& command, MeasureArguments& options) {
       ->delimiter(',')
       ->option_text("R[,R...]=auto");
   command.add_option("--ball", options.ball, "Cut faces by exact density or by area fraction: exact, fraction")
-      ->transform(one_of<BallDefinition>(
-          {{"exact", BallDefinition::ExactDensity}, {"fraction", BallDefinition::AreaFraction}}))
+      ->transform(
+          one_of<BallDefinition>({{"exact", BallDefinition::ExactDensity}, {"fraction", BallDefinition::AreaFraction}}))
       ->option_text("KIND=exact");
   command.add_option("--quads", options.quads, "Quads as four triangles or as bilinear patches: split, bilinear")
       ->transform(one_of<QuadMeasures>({{"split", QuadMeasures::Split}, {"bilinear", QuadMeasures::Bilinear}}))
@@ -94,9 +94,12 @@ void declare(CLI::App& command, MeasureArguments& options) {
   command.add_option("--vertex-limit", options.limit, "At radius 0: whole faces around or limit of balls: star, limit")
       ->transform(one_of<VertexLimit>({{"star", VertexLimit::Star}, {"limit", VertexLimit::Limit}}))
       ->option_text("KIND=star");
-  command.add_option("--engine", options.engine, "How balls are summed: flann")
-      ->check(CLI::IsMember({"flann"}))
+  command.add_option("--engine", options.engine, "How balls are summed: tree, or flann (slower, for comparison)")
+      ->check(CLI::IsMember({"tree", "flann"}))
       ->capture_default_str();
+  command.add_option("--precision", options.precision, "Of the tree: double, or fast (1e-6 of the measures)")
+      ->transform(one_of<Precision>({{"double", Precision::Double}, {"fast", Precision::Fast}}))
+      ->option_text("KIND=double");
 }
 
 std::vector<double> parse_radii(const std::vector<std::string>& radii) {

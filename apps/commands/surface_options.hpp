@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "kappa/mesh/estimate.hpp"
+#include "kappa/mesh/measure_tree.hpp"
 #include "kappa/surface/surface.hpp"
 
 namespace kappa::app {
@@ -38,7 +39,8 @@ struct MeasureArguments {
   BallDefinition ball = BallDefinition::ExactDensity;
   QuadMeasures quads = QuadMeasures::Split;
   VertexLimit limit = VertexLimit::Star;
-  std::string engine = "flann";
+  std::string engine = "tree";
+  Precision precision = Precision::Double;
 };
 void declare(CLI::App& command, MeasureArguments& options);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <csignal>
 
 #include "command.hpp"
 #include "kappa/segment/regions.hpp"
@@ -11,11 +12,13 @@ namespace {
 
 struct ViewArguments {
   CurvatureArguments curvature;
-  std::string picture_folder = ".";
+  std::string picture_folder = ".", up;
 };
 
 void declare_view(CLI::App& command, ViewArguments& arguments) {
   command.add_option("input", arguments.curvature.input, "Scan or mesh")->required();
+  command.add_option("--up", arguments.up, "Axis that points up: y, z; default: chosen from the shape")
+      ->check(CLI::IsMember({"y", "z"}));
   declare_stages(command, arguments.curvature);
   command.add_option("--pictures", arguments.picture_folder, "Folder that the key c saves pictures in")
       ->check(CLI::ExistingDirectory)
@@ -70,6 +73,8 @@ ViewerOptions viewer_options(const ViewArguments& arguments, const Measured& m, 
   options.min_radius = std::min(spacing, radius);
   options.max_radius = std::max({0.25 * diagonal, 2 * options.min_radius, radius});
   options.radius = radius;
+  options.camera = automatic_camera(m.scan);
+  if (!arguments.up.empty()) options.camera->up = arguments.up == "y" ? UpAxis::Y : UpAxis::Z;
   return options;
 }
 
@@ -80,8 +85,11 @@ void run_view(const ViewArguments& arguments) {
   double radius = choose_radii(common, m).front();
   // The slider is logarithmic; the finest scale is that of the edges.
   if (radius == 0) radius = m.surface.spacing;
-  Viewer viewer(output_scan(m), [&](double r, const Execution& run) { return recompute(m, common, r, run); },
-                viewer_options(arguments, m, radius));
+  Viewer viewer(
+      output_scan(m), [&](double r, const Execution& run) { return recompute(m, common, r, run); },
+      viewer_options(arguments, m, radius));
+  // Nothing is left to finish: Ctrl-C closes the window at once.
+  std::signal(SIGINT, SIG_DFL);
   viewer.run();
 }
 

@@ -63,6 +63,8 @@ Curvatures curvatures(const MeasureSum& m, const Vec3& u) {
   return k;
 }
 
-Curvatures curvatures(const Measures& m, const Vec3& u) { return curvatures(compact(m), u); }
+Curvatures curvatures(const Measures& m, const Vec3& u) {
+  return curvatures(compact(m), u);
+}
 
 }  // namespace kappa

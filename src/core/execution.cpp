@@ -89,8 +89,8 @@ class ThreadGroup {
 
 int thread_count(const Execution& run) {
   if (run.threads < 0 || run.threads > kMaxThreads)
-    throw Error(ErrorCode::InvalidArgument, "threads = " + std::to_string(run.threads) + ": give 0 (all) to " +
-                                                std::to_string(kMaxThreads));
+    throw Error(ErrorCode::InvalidArgument,
+                "threads = " + std::to_string(run.threads) + ": give 0 (all) to " + std::to_string(kMaxThreads));
   if (run.threads > 0) return run.threads;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

@@ -40,8 +40,12 @@ Label classify(double k_min, double k_max, double threshold) {
   return kTable[sign_beyond(k_min, threshold) + 1][sign_beyond(k_max, threshold) + 1];
 }
 
-const char* label_name(Label label) { return kEntries.at(static_cast<std::size_t>(label)).name; }
+const char* label_name(Label label) {
+  return kEntries.at(static_cast<std::size_t>(label)).name;
+}
 
-Rgb label_colour(Label label) { return kEntries.at(static_cast<std::size_t>(label)).colour; }
+Rgb label_colour(Label label) {
+  return kEntries.at(static_cast<std::size_t>(label)).colour;
+}
 
 }  // namespace kappa

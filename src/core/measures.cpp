@@ -43,8 +43,7 @@ MeasureSum compact(const Measures& m) {
   return {m.area,
           m.mu0,
           m.mu2,
-          {t(0, 0), t(1, 1), t(2, 2), 0.5 * (t(0, 1) + t(1, 0)), 0.5 * (t(0, 2) + t(2, 0)),
-           0.5 * (t(1, 2) + t(2, 1))}};
+          {t(0, 0), t(1, 1), t(2, 2), 0.5 * (t(0, 1) + t(1, 0)), 0.5 * (t(0, 2) + t(2, 0)), 0.5 * (t(1, 2) + t(2, 1))}};
 }
 
 Measures triangle_density(const Vec3& e1, const Vec3& e2, const Vec3& d1, const Vec3& d2, const Vec3& u) {

@@ -66,8 +66,8 @@ void add_edge(const Vec3& a, const Vec3& e, double length, const Vec3& n, double
 }  // namespace
 
 double distance_sq_to_triangle(const std::array<Vec3, 3>& x) {
-  const double least = std::min({distance_sq_to_segment(x[0], x[1]), distance_sq_to_segment(x[1], x[2]),
-                                 distance_sq_to_segment(x[2], x[0])});
+  const double least = std::min(
+      {distance_sq_to_segment(x[0], x[1]), distance_sq_to_segment(x[1], x[2]), distance_sq_to_segment(x[2], x[0])});
   std::size_t i = 0;
   for (std::size_t k = 1; k < 3; ++k) {
     if ((x[(k + 1) % 3] - x[k]).squaredNorm() > (x[(i + 1) % 3] - x[i]).squaredNorm()) i = k;

@@ -6,6 +6,7 @@
 
 #include "columns.hpp"
 #include "kappa/core/error.hpp"
+#include "las_parse.hpp"
 #include "readers.hpp"
 
 namespace kappa {
@@ -16,19 +17,19 @@ using Reader = Scan (*)(const io::FileBytes&);
 
 const std::vector<std::pair<std::string, Reader>>& readers() {
   static const std::vector<std::pair<std::string, Reader>> table = {
-      {".pcd", io::read_pcd},  {".ply", io::read_ply}, {".obj", io::read_obj},  {".off", io::read_off},
-      {".stl", io::read_stl},  {".vtp", io::read_vtp}, {".xyz", io::read_text}, {".pts", io::read_text},
-      {".txt", io::read_text}, {".csv", io::read_text}};
+      {".pcd", io::read_pcd},  {".ply", io::read_ply},  {".obj", io::read_obj},  {".off", io::read_off},
+      {".stl", io::read_stl},  {".vtp", io::read_vtp},  {".xyz", io::read_text}, {".pts", io::read_text},
+      {".txt", io::read_text}, {".csv", io::read_text}, {".las", io::read_las}};
   return table;
 }
 
 /// What to do about a known format that is not read.
 std::string remedy(const std::string& extension, const std::string& path) {
-  if (extension == ".las" || extension == ".laz") {
-    return "LAS and LAZ are not read by this version: convert it with 'pdal translate " + path +
-           " out.pcd', or to x y z text";
+  if (extension == ".laz") return io::laz_remedy(path);
+  if (extension == ".e57") {
+    return "E57 is not read: convert it with 'pdal translate " + path +
+           " out.las', or to .ply or .las with CloudCompare";
   }
-  if (extension == ".e57") return "E57 is not read: convert it to .pcd, .ply or x y z text, with CloudCompare for one";
   if (extension == ".vol")
     return "voxel volumes are not read by this version: extract a surface and save it as .ply or .obj";
   if (extension == ".vtk") return "legacy VTK files are not read: save it as .vtp, with ParaView for one";

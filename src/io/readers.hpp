@@ -15,5 +15,7 @@ Scan read_off(const FileBytes& file);
 Scan read_stl(const FileBytes& file);
 Scan read_vtp(const FileBytes& file);
 Scan read_text(const FileBytes& file);
+/// Points come relative to a local origin already, lest they lose digits.
+Scan read_las(const FileBytes& file);
 
 }  // namespace kappa::io

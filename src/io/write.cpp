@@ -29,6 +29,7 @@ Writer writer_for(const std::string& path) {
   if (extension == ".ply") return io::write_ply;
   if (extension == ".pcd") return io::write_pcd;
   if (extension == ".vtp") return io::write_vtp;
+  if (extension == ".las") return io::write_las;
   std::string known;
   for (const std::string& writable : writable_extensions()) known += (known.empty() ? "" : " ") + writable;
   throw Error(ErrorCode::FileWrite,
@@ -96,7 +97,7 @@ void write_scan(const std::string& path, const Scan& scan, const Execution& run)
 }
 
 const std::vector<std::string>& writable_extensions() {
-  static const std::vector<std::string> extensions = {".csv", ".ply", ".pcd", ".vtp"};
+  static const std::vector<std::string> extensions = {".csv", ".ply", ".pcd", ".vtp", ".las"};
   return extensions;
 }
 

@@ -14,6 +14,8 @@ void write_csv(std::ostream& out, const Scan& scan, const Execution& run);
 void write_ply(std::ostream& out, const Scan& scan, const Execution& run);
 void write_pcd(std::ostream& out, const Scan& scan, const Execution& run);
 void write_vtp(std::ostream& out, const Scan& scan, const Execution& run);
+/// The stream must be able to seek.
+void write_las(std::ostream& out, const Scan& scan, const Execution& run);
 
 /// Coordinate `axis` of a point as it was in the file it came from.
 inline double coordinate(const Scan& scan, std::size_t point, int axis) {

@@ -56,8 +56,7 @@ bool add_triangle_in_ball(const MeasuredTriangles& triangles, std::size_t t, con
   if (!part.met) return false;
   ++to.face_count;
   MeasureSum m = triangles.measures[t];
-  if (ball == BallDefinition::ExactDensity && part.share > 0 && part.share < 1)
-    m += density_excess(triangles, t, part);
+  if (ball == BallDefinition::ExactDensity && part.share > 0 && part.share < 1) m += density_excess(triangles, t, part);
   m *= part.share;
   to.sum += m;
   return true;
@@ -73,8 +72,8 @@ void BallSum::sum(const std::vector<Vec3>& centres, const std::vector<double>& r
   do_sum(centres, radii, ball, run, sink);
 }
 
-void BruteForceBallSum::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii,
-                               BallDefinition ball, const Execution& run, const Sink& sink) const {
+void BruteForceBallSum::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
+                               const Execution& run, const Sink& sink) const {
   parallel_for(centres.size(), 16, run, [&](std::size_t begin, std::size_t end, int) {
     std::vector<BallMeasures> sums;
     for (std::size_t q = begin; q < end; ++q) {

@@ -7,13 +7,17 @@
 #include <Eigen/Geometry>
 
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/measure_tree.hpp"
+#include "kappa/mesh/statistics.hpp"
 
 namespace kappa {
 namespace {
 
 constexpr std::size_t kBlock = 4096;
 
-bool usable(const Vec3& x, const Vec3& u) { return is_finite(x) && is_finite(u) && !u.isZero(0); }
+bool usable(const Vec3& x, const Vec3& u) {
+  return is_finite(x) && is_finite(u) && !u.isZero(0);
+}
 
 /// The sample of a point, from the measures of its ball; `disc_area` = pi radius^2, 0 at radius 0.
 CurvatureSample make_sample(const BallMeasures& ball, const Vec3& u, double disc_area) {
@@ -75,18 +79,7 @@ void add_limits(const MeasuredTriangles& triangles, std::vector<BallMeasures>& s
 }
 
 FieldSummary::Percentiles percentiles(std::vector<double>& values) {
-  FieldSummary::Percentiles p;
-  if (values.empty()) return p;
-  const auto pick = [&](double fraction) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(
-                                         std::llround(fraction * static_cast<double>(values.size() - 1)));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-  };
-  p.p1 = pick(0.01);
-  p.p50 = pick(0.50);
-  p.p99 = pick(0.99);
-  return p;
+  return {percentile(values, 1), percentile(values, 50), percentile(values, 99)};
 }
 
 }  // namespace
@@ -101,8 +94,8 @@ void validate(const CurvatureOptions& options) {
 }
 
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
-                                                const Normals& u, const std::vector<double>& radii,
-                                                BallDefinition ball, const Execution& run) {
+                                                const Normals& u, const std::vector<double>& radii, BallDefinition ball,
+                                                const Execution& run) {
   if (u.size() != centres.size())
     throw Error(ErrorCode::InvalidArgument, std::to_string(u.size()) + " normals for " +
                                                 std::to_string(centres.size()) + " centres: give one a centre");
@@ -140,15 +133,40 @@ CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const No
   return field;
 }
 
+std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run) {
+  validate(options);
+  const MeasureTree balls(measure_triangles(mesh, u, options.quads, stage(run, 0.0, 0.1)));
+  std::vector<double> radii;
+  std::copy_if(options.radii.begin(), options.radii.end(), std::back_inserter(radii), [](double r) { return r > 0; });
+  std::vector<CurvatureField> of_balls =
+      estimate_curvatures(balls, mesh.vertices, u, radii, options.ball, stage(run, 0.1, 1.0));
+  std::vector<CurvatureField> fields;
+  auto next = of_balls.begin();
+  for (const double radius : options.radii) {
+    fields.push_back(radius > 0 ? std::move(*next++)
+                                : estimate_at_vertices(balls.triangles(), u, options.vertex_limit));
+  }
+  return fields;
+}
+
 FieldSummary summarise(const CurvatureField& field) {
   FieldSummary summary;
   std::vector<double> mean, gaussian, k_min, k_max;
   for (const CurvatureSample& s : field.samples) {
     switch (s.k.status) {
-      case PointStatus::Valid: ++summary.valid; break;
-      case PointStatus::Empty: ++summary.empty; break;
-      case PointStatus::Degenerate: ++summary.degenerate; break;
-      case PointStatus::Invalid: ++summary.invalid; break;
+      case PointStatus::Valid:
+        ++summary.valid;
+        break;
+      case PointStatus::Empty:
+        ++summary.empty;
+        break;
+      case PointStatus::Degenerate:
+        ++summary.degenerate;
+        break;
+      case PointStatus::Invalid:
+        ++summary.invalid;
+        break;
     }
     if (s.k.status != PointStatus::Valid) continue;
     mean.push_back(s.k.mean);

@@ -9,7 +9,9 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 
-bool usable(const Vec3& u) { return is_finite(u) && !u.isZero(0); }
+bool usable(const Vec3& u) {
+  return is_finite(u) && !u.isZero(0);
+}
 
 bool usable_face(const Mesh& mesh, const Normals& u, const Faces::View& face) {
   for (const Index v : face) {
@@ -38,8 +40,10 @@ void add_face(MeasuredTriangles& t, const Mesh& mesh, std::size_t f) {
   } else {
     add_fan(t, face);
   }
-  t.weights.resize(t.corners.size(), mesh.weight(f));
-  t.faces.resize(t.corners.size(), static_cast<Index>(f));
+  for (std::size_t i = t.faces.size(); i < t.corners.size(); ++i) {
+    t.weights.push_back(mesh.weight(f));
+    t.faces.push_back(static_cast<Index>(f));
+  }
 }
 
 MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
@@ -84,6 +88,8 @@ MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, Qu
   t.x = mesh.vertices;
   t.u = normals;
   t.corners.reserve(mesh.faces.size());
+  t.weights.reserve(mesh.faces.size());
+  t.faces.reserve(mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (usable_face(mesh, normals, mesh.faces[f])) {
       add_face(t, mesh, f);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/statistics.hpp"
 
 namespace kappa {
 
@@ -107,10 +108,7 @@ double median_edge_length(const Mesh& mesh) {
       if (std::isfinite(length) && length > 0) lengths.push_back(length);
     }
   }
-  if (lengths.empty()) return kNaN;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  return percentile(lengths, 50);
 }
 
 }  // namespace kappa

@@ -20,14 +20,19 @@ Vec3 unit_or_zero(const Vec3& v) {
 }
 
 /// Angle between two vectors, accurate for any angle.
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 /// Weight of a face at its corner `i`, from the edges `a`, `b` that leave the corner.
 double corner_weight(NormalWeights weights, const Vec3& a, const Vec3& b, double area) {
   switch (weights) {
-    case NormalWeights::Uniform: return 1.0;
-    case NormalWeights::Area: return area;
-    case NormalWeights::Angle: return angle_between(a, b);
+    case NormalWeights::Uniform:
+      return 1.0;
+    case NormalWeights::Area:
+      return area;
+    case NormalWeights::Angle:
+      return angle_between(a, b);
     case NormalWeights::Max: {
       const double lengths = a.squaredNorm() * b.squaredNorm();
       return lengths > 0 ? a.cross(b).norm() / lengths : 0.0;

@@ -11,10 +11,6 @@
 namespace kappa {
 namespace {
 
-double percentile(const std::vector<double>& sorted, double p) {
-  return sorted[static_cast<std::size_t>(std::llround(p / 100 * static_cast<double>(sorted.size() - 1)))];
-}
-
 /// The vectors that three fields hold the coordinates of; empty if one of them is missing.
 std::vector<Vec3> vectors(const Scan& scan, const std::string& name, const std::string& suffix) {
   const Field *x = scan.field(name + "_x" + suffix), *y = scan.field(name + "_y" + suffix),
@@ -51,6 +47,14 @@ void check_positions(const Scan& result, const Scan& truth, double tolerance) {
 
 }  // namespace
 
+double percentile(std::vector<double>& values, double p) {
+  if (values.empty()) return kNaN;
+  const double rank = p / 100 * static_cast<double>(values.size() - 1);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::llround(rank));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 ErrorStatistics compare_values(const std::vector<double>& result, const std::vector<double>& truth) {
   if (result.size() != truth.size())
     throw Error(ErrorCode::InvalidArgument, std::to_string(result.size()) + " values to compare with " +
@@ -69,9 +73,8 @@ ErrorStatistics compare_values(const std::vector<double>& result, const std::vec
   s.compared = errors.size();
   s.missing = result.size() - errors.size();
   if (errors.empty()) return s;
-  std::sort(errors.begin(), errors.end());
   const double n = static_cast<double>(errors.size());
-  s.max = errors.back();
+  s.max = percentile(errors, 100);
   s.rms = std::sqrt(sum_sq / n);
   s.mean = sum / n;
   s.truth_rms = std::sqrt(truth_sq / n);
@@ -99,8 +102,8 @@ std::vector<ErrorStatistics> compare_scans(const Scan& result, const Scan& truth
   }
   if (all.empty())
     throw Error(ErrorCode::InvalidData, "the two have no curvature field in common (mean_curvature" + suffix +
-                                            ", gaussian_curvature" + suffix + ", k_min" + suffix + ", k_max" +
-                                            suffix + ")");
+                                            ", gaussian_curvature" + suffix + ", k_min" + suffix + ", k_max" + suffix +
+                                            ")");
   return all;
 }
 

@@ -120,8 +120,8 @@ Topology topology(const Mesh& mesh) {
   count_faces(mesh, t);
   count_edges(sorted_half_edges(mesh), t);
   count_components(mesh, t);
-  t.euler = static_cast<long>(t.vertices - t.isolated_vertices) - static_cast<long>(t.edges) +
-            static_cast<long>(t.faces);
+  t.euler =
+      static_cast<long>(t.vertices - t.isolated_vertices) - static_cast<long>(t.edges) + static_cast<long>(t.faces);
   return t;
 }
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "kappa/search/flann_ball_sum.hpp"
+#include "kappa/mesh/measure_tree.hpp"
 
 namespace kappa::detail {
 
@@ -35,7 +35,7 @@ CurvatureSample sample_of(const BallSum& balls, const CurvatureJob& job, std::si
 }  // namespace
 
 std::vector<CurvatureSample> run(const CurvatureJob& job, const Execution& execution) {
-  const FlannBallSum balls(measured_surface(job, stage(execution, 0, 0.5)));
+  const MeasureTree balls(measured_surface(job, stage(execution, 0, 0.5)));
   const Execution rest = stage(execution, 0.5, 1);
   if (job.radii.empty()) {
     auto fields = estimate_curvatures(balls, job.centres, job.centre_normals, {job.radius}, job.ball, rest);

@@ -101,7 +101,9 @@ struct FlannBallSum::Impl {
 FlannBallSum::FlannBallSum(MeasuredTriangles triangles) : impl_(std::make_unique<Impl>(std::move(triangles))) {}
 FlannBallSum::~FlannBallSum() = default;
 
-const MeasuredTriangles& FlannBallSum::triangles() const { return impl_->triangles; }
+const MeasuredTriangles& FlannBallSum::triangles() const {
+  return impl_->triangles;
+}
 
 void FlannBallSum::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
                           const Execution& run, const Sink& sink) const {
@@ -116,23 +118,6 @@ void FlannBallSum::do_sum(const std::vector<Vec3>& centres, const std::vector<do
       sink(order[i], w.sums.data());
     }
   });
-}
-
-std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
-                                                const Execution& run) {
-  validate(options);
-  FlannBallSum balls(measure_triangles(mesh, u, options.quads, stage(run, 0.0, 0.1)));
-  std::vector<double> radii;
-  std::copy_if(options.radii.begin(), options.radii.end(), std::back_inserter(radii), [](double r) { return r > 0; });
-  std::vector<CurvatureField> of_balls =
-      estimate_curvatures(balls, mesh.vertices, u, radii, options.ball, stage(run, 0.1, 1.0));
-  std::vector<CurvatureField> fields;
-  auto next = of_balls.begin();
-  for (const double radius : options.radii) {
-    fields.push_back(radius > 0 ? std::move(*next++)
-                                : estimate_at_vertices(balls.triangles(), u, options.vertex_limit));
-  }
-  return fields;
 }
 
 }  // namespace kappa

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kappa/mesh/ball_sum.hpp"
+#include "kappa/mesh/statistics.hpp"
 #include "kd_tree.hpp"
 
 namespace kappa {
@@ -32,7 +33,9 @@ NeighbourSearch::~NeighbourSearch() = default;
 NeighbourSearch::NeighbourSearch(NeighbourSearch&&) noexcept = default;
 NeighbourSearch& NeighbourSearch::operator=(NeighbourSearch&&) noexcept = default;
 
-std::size_t NeighbourSearch::size() const { return impl_->original.size(); }
+std::size_t NeighbourSearch::size() const {
+  return impl_->original.size();
+}
 
 void NeighbourSearch::nearest(const Vec3& query, std::size_t k, std::vector<Index>& indices,
                               std::vector<double>& distances_sq) const {
@@ -62,10 +65,7 @@ double median_spacing(const std::vector<Vec3>& points) {
       if (other != distances_sq.end() || k >= search.size()) break;
     }
   }
-  if (spacings.empty()) return kNaN;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return percentile(spacings, 50);
 }
 
 }  // namespace kappa

@@ -11,16 +11,10 @@
 #include <Eigen/Geometry>
 
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/statistics.hpp"
 
 namespace kappa {
 namespace {
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return kNaN;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Regions while they are merged: a forest over the points, and at each root its area and the lengths of its borders.
 class RegionGraph {
@@ -168,8 +162,8 @@ void describe_regions(const Mesh& mesh, const CurvatureField& field, Segmentatio
   }
   for (std::size_t r = 0; r < s.table.size(); ++r) {
     s.table[r].centroid /= static_cast<double>(s.table[r].points);
-    s.table[r].mean_curvature = median(mean[r]);
-    s.table[r].gaussian_curvature = median(gaussian[r]);
+    s.table[r].mean_curvature = percentile(mean[r], 50);
+    s.table[r].gaussian_curvature = percentile(gaussian[r], 50);
   }
 }
 
@@ -180,9 +174,8 @@ std::vector<Label> classify(const CurvatureField& field, double threshold) {
     throw Error(ErrorCode::InvalidArgument,
                 "threshold = " + std::to_string(threshold) + ": give a finite curvature (1/length), 0 or more");
   std::vector<Label> labels(field.samples.size());
-  std::transform(field.samples.begin(), field.samples.end(), labels.begin(), [&](const CurvatureSample& s) {
-    return classify(s.k.k_min, s.k.k_max, threshold);
-  });
+  std::transform(field.samples.begin(), field.samples.end(), labels.begin(),
+                 [&](const CurvatureSample& s) { return classify(s.k.k_min, s.k.k_max, threshold); });
   return labels;
 }
 

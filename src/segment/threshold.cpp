@@ -4,21 +4,13 @@
 #include <string>
 
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/statistics.hpp"
 #include "kappa/segment/regions.hpp"
 
 namespace kappa {
 namespace {
 
 constexpr std::size_t kSample = 20000;
-
-/// The element that `p` percent of the values do not exceed; reorders them.
-double percentile(std::vector<double>& values, double p) {
-  if (values.empty()) return kNaN;
-  const double rank = p / 100 * static_cast<double>(values.size() - 1);
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::llround(rank));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 template <class T>
 std::vector<T> every(std::size_t step, const std::vector<T>& from) {

@@ -19,9 +19,9 @@ class DelaunayStar {
     double weight;
   };
 
-  /// Triangles (origin, a, b), counter-clockwise, of the weighted Delaunay triangulation of the origin and `neighbours`,
-  /// as pairs of indices in the order of their direction. Only those whose circumcentre lies within `reach` of
-  /// the origin. Neighbours at the origin are passed over.
+  /// Triangles (origin, a, b), counter-clockwise, of the weighted Delaunay triangulation of the origin and
+  /// `neighbours`, as pairs of indices in the order of their direction. Only those whose circumcentre lies within
+  /// `reach` of the origin. Neighbours at the origin are passed over.
   const std::vector<std::pair<int, int>>& compute(const std::vector<Neighbour>& neighbours, double own_weight,
                                                   double reach);
 

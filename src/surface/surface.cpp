@@ -17,10 +17,14 @@ bool from_faces(NormalsKind kind) {
 
 NormalWeights weights_of(NormalsKind kind) {
   switch (kind) {
-    case NormalsKind::Area: return NormalWeights::Area;
-    case NormalsKind::Angle: return NormalWeights::Angle;
-    case NormalsKind::Max: return NormalWeights::Max;
-    default: return NormalWeights::Uniform;
+    case NormalsKind::Area:
+      return NormalWeights::Area;
+    case NormalsKind::Angle:
+      return NormalWeights::Angle;
+    case NormalsKind::Max:
+      return NormalWeights::Max;
+    default:
+      return NormalWeights::Uniform;
   }
 }
 
@@ -35,8 +39,8 @@ void choose_sources(const Scan& scan, const SurfaceOptions& options, Surface& s)
     s.normals = scan.normals.empty() ? made : NormalsKind::Input;
   }
   if (s.normals == NormalsKind::Input && scan.normals.empty())
-    throw Error(ErrorCode::InvalidArgument, "normals = input, but the data has no normals; use " +
-                                                std::string(scan.is_mesh() ? "max" : "pca"));
+    throw Error(ErrorCode::InvalidArgument,
+                "normals = input, but the data has no normals; use " + std::string(scan.is_mesh() ? "max" : "pca"));
   if (s.normals == NormalsKind::Input && scan.normals.size() != scan.points.size())
     throw Error(ErrorCode::InvalidArgument, std::to_string(scan.normals.size()) + " normals for " +
                                                 std::to_string(scan.points.size()) + " points: give one a point");
@@ -92,8 +96,7 @@ void use_umbrella(const Scan& scan, const SurfaceOptions& options, Surface& s, c
   s.u = s.normals == NormalsKind::Input ? normalised(scan.normals)
                                         : pca_normals(scan.points, {options.normal_neighbours}, stage(run, 0.0, 0.5));
   orient(scan, options, s);
-  CloudSurface cloud =
-      umbrella_surface(scan.origin, scan.points, s.u, {options.neighbours}, stage(run, 0.5, 1.0));
+  CloudSurface cloud = umbrella_surface(scan.origin, scan.points, s.u, {options.neighbours}, stage(run, 0.5, 1.0));
   s.mesh = std::move(cloud.mesh);
   s.twins = std::move(cloud.representative);
   s.duplicate_points = cloud.duplicate_points;
@@ -151,33 +154,48 @@ double automatic_radius(const Surface& surface) {
 
 const char* name(SurfaceKind kind) {
   switch (kind) {
-    case SurfaceKind::Auto: return "auto";
-    case SurfaceKind::Faces: return "faces";
-    case SurfaceKind::Umbrella: return "umbrella";
+    case SurfaceKind::Auto:
+      return "auto";
+    case SurfaceKind::Faces:
+      return "faces";
+    case SurfaceKind::Umbrella:
+      return "umbrella";
   }
   return "";
 }
 
 const char* name(NormalsKind kind) {
   switch (kind) {
-    case NormalsKind::Auto: return "auto";
-    case NormalsKind::Input: return "input";
-    case NormalsKind::Geometric: return "geometric";
-    case NormalsKind::Area: return "area";
-    case NormalsKind::Angle: return "angle";
-    case NormalsKind::Max: return "max";
-    case NormalsKind::Pca: return "pca";
+    case NormalsKind::Auto:
+      return "auto";
+    case NormalsKind::Input:
+      return "input";
+    case NormalsKind::Geometric:
+      return "geometric";
+    case NormalsKind::Area:
+      return "area";
+    case NormalsKind::Angle:
+      return "angle";
+    case NormalsKind::Max:
+      return "max";
+    case NormalsKind::Pca:
+      return "pca";
   }
   return "";
 }
 
 const char* name(Orientation orientation) {
   switch (orientation) {
-    case Orientation::Auto: return "auto";
-    case Orientation::Input: return "input";
-    case Orientation::AsFaces: return "faces";
-    case Orientation::Up: return "up";
-    case Orientation::Viewpoint: return "viewpoint";
+    case Orientation::Auto:
+      return "auto";
+    case Orientation::Input:
+      return "input";
+    case Orientation::AsFaces:
+      return "faces";
+    case Orientation::Up:
+      return "up";
+    case Orientation::Viewpoint:
+      return "viewpoint";
   }
   return "";
 }

@@ -40,20 +40,20 @@ struct Distinct {
 
 /// The neighbours of every distinct point, nearest first.
 struct Neighbourhoods {
-  std::size_t k = 0;             ///< most neighbours of a point
-  std::vector<Index> items;      ///< k a point, kNoIndex where there are fewer
-  std::vector<double> reach;     ///< distance to the last
-  std::vector<double> weights;   ///< see kTieBreak
+  std::size_t k = 0;            ///< most neighbours of a point
+  std::vector<Index> items;     ///< k a point, kNoIndex where there are fewer
+  std::vector<double> reach;    ///< distance to the last
+  std::vector<double> weights;  ///< see kTieBreak
 };
 
 /// The weight of a point in the Delaunay triangulations, over its squared distance to the nearest neighbour: a random
 /// number of this size. It settles the diagonals of grid cells, alike in all stars, also where the tangent planes of a
-/// curved surface distort each cell a little, by a part (spacing / radius of curvature)^2. No two weights differ by more
-/// than twice this part of the squared distance of their points, so no point is hidden by its neighbours.
+/// curved surface distort each cell a little, by a part (spacing / radius of curvature)^2. No two weights differ by
+/// more than twice this part of the squared distance of their points, so no point is hidden by its neighbours.
 constexpr double kTieBreak = 0.1;
 
-Neighbourhoods find_neighbours(const Distinct& distinct, const NeighbourSearch& search,
-                               const std::vector<Index>& order, int neighbours, const Execution& run) {
+Neighbourhoods find_neighbours(const Distinct& distinct, const NeighbourSearch& search, const std::vector<Index>& order,
+                               int neighbours, const Execution& run) {
   Neighbourhoods n;
   n.k = std::min(static_cast<std::size_t>(neighbours), std::max<std::size_t>(distinct.points.size(), 1) - 1);
   n.items.assign(n.k * distinct.points.size(), kNoIndex);

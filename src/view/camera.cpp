@@ -45,7 +45,9 @@ namespace view_detail {
 namespace {
 
 /// `v` of a world whose z is up, in that of the camera.
-Vec3 turned(const Vec3& v, UpAxis up) { return up == UpAxis::Z ? v : Vec3(v.x(), v.z(), -v.y()); }
+Vec3 turned(const Vec3& v, UpAxis up) {
+  return up == UpAxis::Z ? v : Vec3(v.x(), v.z(), -v.y());
+}
 
 }  // namespace
 

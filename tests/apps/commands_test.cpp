@@ -103,8 +103,8 @@ TEST(Commands, FlippingTurnsTheSigns) {
 TEST(Commands, CloudWithoutNormalsOrFacesIsMeasured) {
   const Folder f;
   generate({"sphere", f.file("s.pcd"), "--points", "4000", "--radius", "5", "--no-normals"});
-  const Outcome done =
-      run({"curvature", f.file("s.pcd"), f.file("o.pcd"), "--orient", "viewpoint", "0,0,0", "--radius", "1.5", "--flip"});
+  const Outcome done = run(
+      {"curvature", f.file("s.pcd"), f.file("o.pcd"), "--orient", "viewpoint", "0,0,0", "--radius", "1.5", "--flip"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_NE(done.out.find("umbrella"), std::string::npos);
   const Scan out = read_scan(f.file("o.pcd"));
@@ -113,9 +113,17 @@ TEST(Commands, CloudWithoutNormalsOrFacesIsMeasured) {
 
 TEST(Commands, GenerateWritesEveryShape) {
   const Folder f;
-  const std::vector<Arguments> shapes = {{"sphere"}, {"icosphere"}, {"torus"}, {"cylinder", "--caps"}, {"quadric"},
-                                         {"saddle"}, {"plane"}, {"goursat", "--step", "1.5"}, {"lantern"},
-                                         {"airborne", "--width", "60", "--depth", "60"}, {"waves", "--points", "500"}};
+  const std::vector<Arguments> shapes = {{"sphere"},
+                                         {"icosphere"},
+                                         {"torus"},
+                                         {"cylinder", "--caps"},
+                                         {"quadric"},
+                                         {"saddle"},
+                                         {"plane"},
+                                         {"goursat", "--step", "1.5"},
+                                         {"lantern"},
+                                         {"airborne", "--width", "60", "--depth", "60"},
+                                         {"waves", "--points", "500"}};
   for (const Arguments& shape : shapes) {
     Arguments arguments = shape;
     arguments.insert(arguments.begin() + 1, f.file(shape.front() + ".ply"));

@@ -18,14 +18,14 @@ struct Verdict {
 
 const std::map<std::string, Verdict>& verdicts() {
   static const std::map<std::string, Verdict> table = {
-      {"1.2-no-points.las", {1, "pdal translate"}},
-      {"1.2-with-color-clipped.las", {1, "pdal translate"}},
-      {"bad_vlr_count.las", {1, "pdal translate"}},
+      {"1.2-no-points.las", {1, "promises 1065 points"}},
+      {"1.2-with-color-clipped.las", {1, "promises 1065 points"}},
+      {"bad_vlr_count.las", {1, "variable length record 3 of 3"}},
       {"broken_size.laz", {1, "pdal translate"}},
-      {"garbage_nVariableLength.las", {1, "pdal translate"}},
-      {"gps-time-nan.las", {1, "pdal translate"}},
-      {"lots_of_vlr.las", {1, "pdal translate"}},
-      {"no-points.las", {1, "pdal translate"}},
+      {"garbage_nVariableLength.las", {1, "of 1069128089"}},
+      {"gps-time-nan.las", {1, "none of the 1 points"}},  // reads right, but holds a single point
+      {"lots_of_vlr.las", {1, "none of the 1 points"}},   // the same
+      {"no-points.las", {1, "holds no point"}},
       {"simple.laz", {1, "pdal translate"}},
       {"samp11-utm.laz", {1, "git lfs pull"}},
       {"flydracyl.pcd", {1, "DATA is 'ascii-1.722589'"}},

@@ -28,7 +28,8 @@ void expect_failure(const Arguments& arguments, const std::string& expected, con
 TEST(Robustness, HelpAndVersion) {
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"curvature", "segment", "mesh", "normals", "generate", "compare", "render", "view", "info"})
+  for (const char* command :
+       {"curvature", "segment", "mesh", "normals", "generate", "compare", "render", "view", "info"})
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   EXPECT_EQ(run({"--version"}).out.rfind("kappa ", 0), 0u);
   EXPECT_EQ(run({"curvature", "--help"}).exit_code, 0);

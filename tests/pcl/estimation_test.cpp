@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "kappa/mesh/measure_tree.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/pcl/convert.hpp"
 #include "kappa/pcl/corrected_curvature_estimation.hpp"
-#include "kappa/search/flann_ball_sum.hpp"
 #include "pcl/clouds.hpp"
 
 namespace kappa::test {
@@ -56,7 +56,7 @@ struct Pipeline {
   }
 
   CurvatureField field(double radius, BallDefinition ball = BallDefinition::ExactDensity) const {
-    return estimate_curvatures(FlannBallSum(triangles), points, normals, {radius}, ball).front();
+    return estimate_curvatures(MeasureTree(triangles), points, normals, {radius}, ball).front();
   }
 };
 
@@ -192,7 +192,7 @@ TEST(CorrectedCurvatureEstimation, SearchSurfaceIsWhatIsMeasured) {
   const Output out = compute(estimation);
 
   const Pipeline direct(surface);
-  const FlannBallSum balls(direct.triangles);
+  const MeasureTree balls(direct.triangles);
   ASSERT_EQ(out.size(), queries.cloud->size());
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Vec3 x = points_of(*queries.cloud)[i] - direct.origin;

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "support/shapes.hpp"
 
@@ -20,8 +21,8 @@ using shapes::Shape;
 
 constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
 
-std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres,
-                               const std::vector<double>& radii, BallDefinition ball, const Execution& run = {}) {
+std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
+                               BallDefinition ball, const Execution& run = {}) {
   std::vector<BallMeasures> out(centres.size() * radii.size());
   balls.sum(centres, radii, ball, run, [&](std::size_t query, const BallMeasures* per_radius) {
     std::copy_n(per_radius, radii.size(), out.begin() + static_cast<std::ptrdiff_t>(query * radii.size()));

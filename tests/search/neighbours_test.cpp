@@ -25,8 +25,12 @@ std::vector<std::pair<std::string, std::vector<Vec3>>> distributions() {
     return Vec3(500000 + uniform(random), 5400000 + uniform(random), uniform(random));
   };
   const auto repeated = [&](std::size_t i) { return Vec3(static_cast<double>(i % 3), 0, 0); };
-  return {{"uniform", cloud(700, anywhere)}, {"line", cloud(500, on_line)},         {"grid", cloud(400, on_grid)},
-          {"far", cloud(500, far_away)},     {"duplicates", cloud(900, repeated)}, {"one", cloud(1, anywhere)},
+  return {{"uniform", cloud(700, anywhere)},
+          {"line", cloud(500, on_line)},
+          {"grid", cloud(400, on_grid)},
+          {"far", cloud(500, far_away)},
+          {"duplicates", cloud(900, repeated)},
+          {"one", cloud(1, anywhere)},
           {"none", {}}};
 }
 
@@ -74,7 +78,8 @@ TEST(NeighbourSearch, WithinIsTheClosedBall) {
 }
 
 TEST(NeighbourSearch, PointsThatAreNotFiniteAreNeverFound) {
-  const std::vector<Vec3> points = {{0, 0, 0}, {kNaN, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}};
+  const std::vector<Vec3> points = {
+      {0, 0, 0}, {kNaN, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}};
   const NeighbourSearch search(points);
   EXPECT_EQ(search.size(), 2u);
   std::vector<Index> found;

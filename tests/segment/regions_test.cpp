@@ -40,8 +40,7 @@ void paint(Patch& p, double x0, double x1, double y0, double y1, Label label) {
 }
 
 double total_area(const Segmentation& s) {
-  return std::accumulate(s.table.begin(), s.table.end(), 0.0,
-                         [](double sum, const Region& r) { return sum + r.area; });
+  return std::accumulate(s.table.begin(), s.table.end(), 0.0, [](double sum, const Region& r) { return sum + r.area; });
 }
 
 TEST(FindRegions, HalvesOfASquare) {

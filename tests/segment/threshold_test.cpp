@@ -22,8 +22,8 @@ Estimate estimate(const Mesh& mesh, const Normals& u, double radius) {
   const BruteForceBallSum balls(measure_triangles(mesh, u));
   Estimate e;
   e.field = estimate_curvatures(balls, mesh.vertices, u, {radius}, BallDefinition::ExactDensity).front();
-  e.threshold = estimate_threshold(balls, mesh.vertices, u, e.field, BallDefinition::ExactDensity,
-                                   median_edge_length(mesh));
+  e.threshold =
+      estimate_threshold(balls, mesh.vertices, u, e.field, BallDefinition::ExactDensity, median_edge_length(mesh));
   e.labels = classify(e.field, e.threshold);
   return e;
 }

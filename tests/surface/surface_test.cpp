@@ -42,8 +42,8 @@ TEST(MakeSurface, ChoosesByWhatTheScanHas) {
 }
 
 TEST(MakeSurface, NormalsAreUnitAndOutwardOnASphere) {
-  for (const NormalsKind kind : {NormalsKind::Input, NormalsKind::Geometric, NormalsKind::Area, NormalsKind::Angle,
-                                 NormalsKind::Max}) {
+  for (const NormalsKind kind :
+       {NormalsKind::Input, NormalsKind::Geometric, NormalsKind::Area, NormalsKind::Angle, NormalsKind::Max}) {
     SurfaceOptions options;
     options.normals = kind;
     const Scan scan = sphere_scan(true, true);

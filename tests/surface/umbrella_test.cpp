@@ -12,8 +12,8 @@
 #include <random>
 
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
-#include "kappa/search/flann_ball_sum.hpp"
 
 namespace kappa {
 namespace {

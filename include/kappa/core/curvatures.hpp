@@ -18,7 +18,7 @@ namespace kappa {
 struct Curvatures {
   double mean = kNaN;
   double gaussian = kNaN;
-  double k_min = kNaN, k_max = kNaN;                   ///< k_min <= k_max
+  double k_min = kNaN, k_max = kNaN;                                    ///< k_min <= k_max
   Vec3 dir_min = Vec3::Constant(kNaN), dir_max = Vec3::Constant(kNaN);  ///< unit, orthogonal to u, sign arbitrary
   PointStatus status = PointStatus::Invalid;
 };

@@ -13,8 +13,8 @@ enum class Label : std::uint8_t {
   Convex = 2,
   Concave = 3,
   Saddle = 4,
-  ConvexCylinder = 5,   ///< ridge
-  ConcaveCylinder = 6   ///< valley
+  ConvexCylinder = 5,  ///< ridge
+  ConcaveCylinder = 6  ///< valley
 };
 inline constexpr int kLabelCount = 7;
 

@@ -17,11 +17,11 @@ namespace kappa {
 /// Identities: trace(mu_xy) == -mu1; u_bar^T mu_xy == 0 for a triangle of mean normal u_bar.
 /// Scaling by s multiplies area and mu0 by s^2, mu1 and mu_xy by s, mu2 by 1.
 struct Measures {
-  double area = 0;             ///< area of the face itself, whatever the normals; length^2
-  double mu0 = 0;              ///< corrected area; length^2
-  double mu1 = 0;              ///< integral of k_min + k_max (twice the mean curvature); length
-  double mu2 = 0;              ///< integral of the Gaussian curvature
-  Mat3 mu_xy = Mat3::Zero();   ///< mu^(X,Y), row = X, column = Y: minus the second form; length
+  double area = 0;            ///< area of the face itself, whatever the normals; length^2
+  double mu0 = 0;             ///< corrected area; length^2
+  double mu1 = 0;             ///< integral of k_min + k_max (twice the mean curvature); length
+  double mu2 = 0;             ///< integral of the Gaussian curvature
+  Mat3 mu_xy = Mat3::Zero();  ///< mu^(X,Y), row = X, column = Y: minus the second form; length
 
   Measures& operator+=(const Measures& other);
 };

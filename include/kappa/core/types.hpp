@@ -36,6 +36,8 @@ enum class PointStatus : std::uint8_t {
 };
 
 /// True if all three coordinates are finite.
-inline bool is_finite(const Vec3& v) { return v.allFinite(); }
+inline bool is_finite(const Vec3& v) {
+  return v.allFinite();
+}
 
 }  // namespace kappa

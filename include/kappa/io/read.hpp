@@ -9,7 +9,8 @@
 namespace kappa {
 
 /// Reads a cloud or a mesh, by the extension of its name (any case):
-/// .pcd (ascii, binary, compressed; float or double; x y z in any case), .ply, .obj, .off, .stl, .vtp, and text
+/// .pcd (ascii, binary, compressed; float or double; x y z in any case), .ply, .obj, .off, .stl, .vtp,
+/// .las (1.0 to 1.4, point formats 0 to 10), and text
 /// .xyz .pts .txt .csv (x y z, optionally normals, optional header line; separated by blanks, commas
 /// or semicolons).
 ///

@@ -14,14 +14,15 @@
 namespace kappa {
 
 /// Writes points, normals (if any), fields and faces (where the format has them) by the extension:
-/// .csv (header line, the shortest decimal that gives back each value, `nan`), .ply (binary, coordinates in double), .pcd (binary,
-/// coordinates in double, normals as normal_x ...), .vtp (VTK's names: Mean_Curvature,
-/// Gauss_Curvature, Minimum_Curvature, Maximum_Curvature, with directions as 3-vectors).
+/// .csv (header line, the shortest decimal that gives back each value, `nan`), .ply (binary, coordinates in double),
+/// .pcd (binary, coordinates in double, normals as normal_x ...), .vtp (VTK's names: Mean_Curvature, Gauss_Curvature,
+/// Minimum_Curvature, Maximum_Curvature, with directions as 3-vectors), .las (1.4, no faces, no points without a
+/// position; coordinates to 2.5e-9 of the extent at worst, all that came from a LAS file bit for bit).
 ///
 /// Coordinates leave as they came: the local origin is added back in double. The file is written
 /// under a temporary name beside `path` and renamed: it is complete or not there.
-/// @throws Error FileWrite (unknown extension, or the system's reason); InvalidArgument if sizes differ, two fields have one
-/// name or that of a coordinate, or a value does not fit the type of its field; Cancelled.
+/// @throws Error FileWrite (unknown extension, or the system's reason); InvalidArgument if sizes differ, two fields
+/// have one name or that of a coordinate, or a value does not fit the type of its field; Cancelled.
 void write_scan(const std::string& path, const Scan& scan, const Execution& run = {});
 
 /// Extensions that write_scan knows, lower case with the dot.

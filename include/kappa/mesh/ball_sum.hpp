@@ -36,15 +36,15 @@ struct MeasuredTriangles {
   std::vector<double> weights;       ///< of each triangle
   std::vector<MeasureSum> measures;  ///< of each whole triangle, times its weight
   std::vector<Index> faces;          ///< face of the mesh that each triangle is of, increasing
-  std::size_t vertices = 0;      ///< of the mesh; x[i] with i >= vertices is a barycentre
+  std::size_t vertices = 0;          ///< of the mesh; x[i] with i >= vertices is a barycentre
   std::size_t dropped_faces = 0;
 
   std::size_t size() const { return corners.size(); }
 };
 
 /// @throws Error InvalidData if the mesh is not valid, or InvalidArgument if normals.size() is not #V.
-MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals,
-                                    QuadMeasures quads = QuadMeasures::Split, const Execution& run = {});
+MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads = QuadMeasures::Split,
+                                    const Execution& run = {});
 
 /// Measures of a ball, with the number of triangles (parts of polygons count singly) it meets.
 struct BallMeasures {
@@ -53,8 +53,8 @@ struct BallMeasures {
 };
 
 /// Measures of triangle `t`'s part in the closed ball; adds nothing and returns false if they do not meet.
-bool add_triangle_in_ball(const MeasuredTriangles& triangles, std::size_t t, const Vec3& centre,
-                          double radius, BallDefinition ball, BallMeasures& to);
+bool add_triangle_in_ball(const MeasuredTriangles& triangles, std::size_t t, const Vec3& centre, double radius,
+                          BallDefinition ball, BallMeasures& to);
 
 /// Sums the measures of triangles in balls. Engines differ in speed alone: their sums agree to
 /// 1e-11 of the sum of absolute values.
@@ -75,8 +75,8 @@ class BallSum {
   virtual const MeasuredTriangles& triangles() const = 0;
 
  private:
-  virtual void do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii,
-                      BallDefinition ball, const Execution& run, const Sink& sink) const = 0;
+  virtual void do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
+                      const Execution& run, const Sink& sink) const = 0;
 };
 
 /// Every triangle for every ball: the slow reference that the tests compare with.

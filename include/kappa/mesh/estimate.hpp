@@ -14,8 +14,8 @@ struct CurvatureSample {
   Curvatures k;
   double mu0 = kNaN, mu1 = kNaN, mu2 = kNaN;  ///< measures of the ball; NaN where the point is invalid
   double area = kNaN;                         ///< of the faces in the ball, un-corrected
-  double coverage = kNaN;  ///< area / (pi radius^2), falls at borders and holes; NaN at radius 0
-  Index face_count = 0;    ///< triangles met, parts of polygons counting singly
+  double coverage = kNaN;                     ///< area / (pi radius^2), falls at borders and holes; NaN at radius 0
+  Index face_count = 0;                       ///< triangles met, parts of polygons counting singly
 };
 
 /// Curvature at every vertex or point, for one radius.
@@ -45,13 +45,18 @@ void validate(const CurvatureOptions& options);
 /// A centre or normal that is not finite, or a zero normal, gives PointStatus::Invalid.
 /// @throws Error InvalidArgument if sizes differ or a radius is not positive.
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
-                                                const Normals& u, const std::vector<double>& radii,
-                                                BallDefinition ball, const Execution& run = {});
+                                                const Normals& u, const std::vector<double>& radii, BallDefinition ball,
+                                                const Execution& run = {});
 
 /// Curvatures at radius 0 at the vertices of the mesh that the triangles were made of; no ball, so no coverage.
 /// @throws Error InvalidArgument if u.size() is not the number of its vertices.
 CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const Normals& u, VertexLimit limit,
                                     const Execution& run = {});
+
+/// Curvatures of `mesh` with corrected normals `u` at its vertices, one field for each of `options.radii`.
+/// @throws Error InvalidArgument or InvalidData as `measure_triangles` and `validate` do.
+std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run = {});
 
 /// Counts of each PointStatus, and percentiles of the curvatures: what a summary shows.
 struct FieldSummary {

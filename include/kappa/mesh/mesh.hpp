@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,9 +49,9 @@ class Faces {
 /// Any topology: several sheets on an edge, bow ties, holes, loose triangles, opposite
 /// orientations. A face turns counter-clockwise seen from the side its normal points to.
 struct Mesh {
-  Vec3 origin = Vec3::Zero();    ///< position of the local origin in the coordinates of the data
-  std::vector<Vec3> vertices;    ///< relative to origin; a vertex may be NaN (no return)
-  Faces faces;                   ///< corners in [0, vertices.size())
+  Vec3 origin = Vec3::Zero();  ///< position of the local origin in the coordinates of the data
+  std::vector<Vec3> vertices;  ///< relative to origin; a vertex may be NaN (no return)
+  Faces faces;                 ///< corners in [0, vertices.size())
   /// Weight of each face, empty for all 1: it lets a cloud be a surface too (see umbrella.hpp).
   std::vector<double> weights;
 
@@ -65,16 +66,20 @@ struct Field {
   std::vector<double> values;  ///< one a point
 };
 
+struct LasFile;
+
 /// What a file of points or of a mesh holds.
 struct Scan {
-  Vec3 origin = Vec3::Zero();    ///< position of the local origin in the coordinates of the file
-  std::vector<Vec3> points;      ///< relative to origin; NaN where the scanner got no return
-  Normals normals;               ///< as in the file, not normalised; empty if it has none
-  Faces faces;                   ///< empty for a cloud
-  std::size_t width = 0;         ///< columns of an organised cloud, points.size() otherwise
-  std::size_t height = 1;        ///< rows of an organised cloud, 1 otherwise
-  std::optional<Vec3> viewpoint; ///< of the scanner, in the coordinates of the file
-  std::vector<Field> fields;     ///< all other attributes, one value a point
+  Vec3 origin = Vec3::Zero();     ///< position of the local origin in the coordinates of the file
+  std::vector<Vec3> points;       ///< relative to origin; NaN where the scanner got no return
+  Normals normals;                ///< as in the file, not normalised; empty if it has none
+  Faces faces;                    ///< empty for a cloud
+  std::size_t width = 0;          ///< columns of an organised cloud, points.size() otherwise
+  std::size_t height = 1;         ///< rows of an organised cloud, 1 otherwise
+  std::optional<Vec3> viewpoint;  ///< of the scanner, in the coordinates of the file
+  std::vector<Field> fields;      ///< all other attributes, one value a point
+  /// All that its LAS file holds (io/las.hpp), so that it leaves bit for bit; null if it came from no LAS file.
+  std::shared_ptr<const LasFile> las;
 
   bool is_mesh() const { return !faces.empty(); }
   bool is_organised() const { return height > 1; }

@@ -27,12 +27,12 @@ Adjacency vertex_neighbours(const Mesh& mesh);
 struct Topology {
   std::size_t vertices = 0, faces = 0, edges = 0;
   std::size_t triangles = 0, quads = 0, polygons = 0;  ///< polygons: five corners or more
-  std::size_t border_edges = 0;        ///< in one face
-  std::size_t nonmanifold_edges = 0;   ///< in three faces or more
-  std::size_t inconsistent_edges = 0;  ///< run through twice in the same sense
-  std::size_t isolated_vertices = 0;   ///< in no face
-  std::size_t components = 0;          ///< of the faces, joined by shared vertices
-  long euler = 0;                      ///< vertices in faces - edges + faces
+  std::size_t border_edges = 0;                        ///< in one face
+  std::size_t nonmanifold_edges = 0;                   ///< in three faces or more
+  std::size_t inconsistent_edges = 0;                  ///< run through twice in the same sense
+  std::size_t isolated_vertices = 0;                   ///< in no face
+  std::size_t components = 0;                          ///< of the faces, joined by shared vertices
+  long euler = 0;                                      ///< vertices in faces - edges + faces
 };
 Topology topology(const Mesh& mesh);
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "kappa/mesh/ball_sum.hpp"
-#include "kappa/mesh/estimate.hpp"
 
 namespace kappa {
 
@@ -24,10 +23,5 @@ class FlannBallSum final : public BallSum {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Curvatures of `mesh` with corrected normals `u` at its vertices, one field for each of `options.radii`.
-/// @throws Error InvalidArgument or InvalidData as `measure_triangles` and `validate` do.
-std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
-                                                const Execution& run = {});
 
 }  // namespace kappa

@@ -14,10 +14,10 @@ std::vector<Label> classify(const CurvatureField& field, double threshold);
 /// The size below which the data cannot tell a principal curvature from 0, from two fields of the same points
 /// at different scales: noise and sampling change from scale to scale, and so does the bias, while
 /// what is there stays. The estimate is one and a half times the median of |k(coarse) - k(fine)| over both k. With
-/// the finer radius = coarser / 2, whose bias of order rho^2 is a quarter as large, this is about the bias of the coarser;
-/// where noise rules, that of the finer exceeds that of the coarser and the estimate is about three standard
-/// deviations of the latter. Never less than 1e-6 / scale. `scale` > 0 is the coarser radius, or the edge length at radius 0.
-/// NaN if no point is valid in both.
+/// the finer radius = coarser / 2, whose bias of order rho^2 is a quarter as large, this is about the bias of the
+/// coarser; where noise rules, that of the finer exceeds that of the coarser and the estimate is about three standard
+/// deviations of the latter. Never less than 1e-6 / scale. `scale` > 0 is the coarser radius, or the edge length at
+/// radius 0. NaN if no point is valid in both.
 double curvature_threshold(const CurvatureField& coarse, const CurvatureField& fine, double scale);
 
 /// `curvature_threshold` for a field of balls (or, at radius 0, of vertices) around `centres`: the finer field is
@@ -25,8 +25,7 @@ double curvature_threshold(const CurvatureField& coarse, const CurvatureField& f
 /// `spacing`, the typical length of an edge. NaN if no point is valid in both.
 /// @throws Error InvalidArgument if sizes differ or spacing is not positive.
 double estimate_threshold(const BallSum& balls, const std::vector<Vec3>& centres, const Normals& u,
-                          const CurvatureField& field, BallDefinition ball, double spacing,
-                          const Execution& run = {});
+                          const CurvatureField& field, BallDefinition ball, double spacing, const Execution& run = {});
 
 /// Percentile `p` in [0, 100] of the larger of |k_min| and |k_max| over the valid samples, NaN if there is none.
 double curvature_percentile(const CurvatureField& field, double p);
@@ -38,17 +37,17 @@ struct RegionOptions {
 struct Region {
   Label label = Label::Undefined;
   std::size_t points = 0;
-  double area = 0;       ///< a third of the faces around its points, by weight; length^2
-  double border = 0;     ///< length of its border with other regions
+  double area = 0;               ///< a third of the faces around its points, by weight; length^2
+  double border = 0;             ///< length of its border with other regions
   Vec3 centroid = Vec3::Zero();  ///< mean of its points, in local coordinates
   double mean_curvature = kNaN, gaussian_curvature = kNaN;  ///< medians over its valid points
 };
 
 /// A decomposition of the points into regions.
 struct Segmentation {
-  std::vector<Label> labels;    ///< after merging, one a point
-  std::vector<Index> regions;   ///< number of each point's region from 1, 0 where the label is undefined
-  std::vector<Region> table;    ///< region i is table[i - 1]; by decreasing area
+  std::vector<Label> labels;   ///< after merging, one a point
+  std::vector<Index> regions;  ///< number of each point's region from 1, 0 where the label is undefined
+  std::vector<Region> table;   ///< region i is table[i - 1]; by decreasing area
 };
 
 /// Connected components of the points of one label, joined along edges of faces. Regions smaller than

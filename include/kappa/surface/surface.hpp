@@ -30,12 +30,12 @@ enum class NormalsKind {
 
 /// How the sign of normals is chosen.
 enum class Orientation {
-  Auto,       ///< Input for the scan's normals, AsFaces on a mesh; for planes fitted to a cloud Viewpoint if one is
-              ///< given or the scan's lies near the points, else Up
-  Input,      ///< as the scan's normals are
-  AsFaces,    ///< the side from which the faces turn counter-clockwise
-  Up,         ///< z not negative
-  Viewpoint   ///< towards the scanner
+  Auto,      ///< Input for the scan's normals, AsFaces on a mesh; for planes fitted to a cloud Viewpoint if one is
+             ///< given or the scan's lies near the points, else Up
+  Input,     ///< as the scan's normals are
+  AsFaces,   ///< the side from which the faces turn counter-clockwise
+  Up,        ///< z not negative
+  Viewpoint  ///< towards the scanner
 };
 
 struct SurfaceOptions {
@@ -50,17 +50,17 @@ struct SurfaceOptions {
 
 /// A scan made ready to be measured.
 struct Surface {
-  Mesh mesh;                  ///< its vertices are the points of the scan, in order
-  Normals u;                  ///< corrected unit normals of the points; zero where there is none
-  std::vector<Index> twins;   ///< of a cloud: the point that stands for each position (CloudSurface::representative)
+  Mesh mesh;                 ///< its vertices are the points of the scan, in order
+  Normals u;                 ///< corrected unit normals of the points; zero where there is none
+  std::vector<Index> twins;  ///< of a cloud: the point that stands for each position (CloudSurface::representative)
   /// What was chosen; never Auto.
   SurfaceKind kind = SurfaceKind::Faces;
   NormalsKind normals = NormalsKind::Input;
   Orientation orientation = Orientation::Input;
-  std::size_t invalid_points = 0;    ///< position not finite
-  std::size_t normalless_points = 0; ///< finite, but no usable normal
+  std::size_t invalid_points = 0;                         ///< position not finite
+  std::size_t normalless_points = 0;                      ///< finite, but no usable normal
   std::size_t duplicate_points = 0, starless_points = 0;  ///< see CloudSurface
-  double spacing = kNaN;             ///< median length of the edges of the faces
+  double spacing = kNaN;                                  ///< median length of the edges of the faces
 };
 
 /// Faces and normals of a scan, as the options ask.

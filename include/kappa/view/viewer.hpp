@@ -38,7 +38,7 @@ struct ViewerOptions {
   double radius = 0;      ///< shown first; units of the data, in [min_radius, max_radius], or 0
   double min_radius = 0;  ///< ends of the slider, logarithmic: 0 < min_radius < max_radius
   double max_radius = 0;
-  std::optional<Camera> camera;  ///< shown first; empty for `automatic_camera`
+  std::optional<Camera> camera;      ///< shown first; empty for `automatic_camera`
   std::string picture_folder = ".";  ///< where the key for a picture saves kappa-001.png, kappa-002.png ...
 };
 

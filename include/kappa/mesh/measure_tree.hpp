@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "kappa/mesh/ball_sum.hpp"
+
+namespace kappa {
+
+/// What the corners of the triangles on the rim of a ball are computed in; sums are always in double.
+enum class Precision {
+  Double,  ///< sums equal to those of BruteForceBallSum to 1e-11 of the sum of absolute values
+  Fast     ///< floats relative to a point nearby: measures within 1e-6 relative, mean curvature 5e-6 of its largest
+};
+
+/// Ball sums over a hierarchy: a node whose box lies in the ball adds the sum of its triangles and is never opened, so
+/// that a query costs about the rim of the ball instead of its area.
+///
+/// An implicit tree of eight children a node over triangles ordered by median splits; eight triangles a leaf. All
+/// radii of a query are served by one walk. Queries are run in spatial order, whatever order they come in. The order
+/// of the additions of a query depends on its centre and the radii alone: any number of threads, and any processor,
+/// gives the same bits. Triangles of any size, also zero, and any topology.
+/// Cost: a query, about the square root of the number of triangles in the ball; building, n log n. Memory beside the
+/// triangles: `bytes()`, about 90 a triangle in double and 60 in fast.
+class MeasureTree final : public BallSum {
+ public:
+  explicit MeasureTree(MeasuredTriangles triangles, Precision precision = Precision::Double);
+  ~MeasureTree() override;
+  const MeasuredTriangles& triangles() const override;
+
+  /// Memory that the tree holds beside the triangles.
+  std::size_t bytes() const;
+
+ private:
+  void do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
+              const Execution& run, const Sink& sink) const override;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace kappa

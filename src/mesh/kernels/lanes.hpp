@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+// Vectors of 32 bytes that compile for any instruction set. Every operation is rounded as IEEE 754 says and none is
+// contracted, so that results do not depend on the instruction set. Included by kernel files alone.
+
+namespace kappa::kernels {
+namespace {
+
+template <class Real>
+struct Lanes;
+
+template <>
+struct Lanes<double> {
+  typedef double V __attribute__((vector_size(32)));
+  using M = decltype(V{} < V{});  ///< what a comparison gives
+  static constexpr int kCount = 4;
+};
+
+template <>
+struct Lanes<float> {
+  typedef float V __attribute__((vector_size(32)));
+  using M = decltype(V{} < V{});
+  static constexpr int kCount = 8;
+};
+
+using VD = Lanes<double>::V;
+using MD = Lanes<double>::M;
+using VF = Lanes<float>::V;
+using MF = Lanes<float>::M;
+
+template <class V, class Real>
+inline V load(const Real* from) {
+  V v;
+  __builtin_memcpy(&v, from, sizeof(V));
+  return v;
+}
+
+template <class V, class Real>
+inline void store(Real* to, const V& v) {
+  __builtin_memcpy(to, &v, sizeof(V));
+}
+
+inline VD spread(double s) {
+  return VD{s, s, s, s};
+}
+inline VF spread(float s) {
+  return VF{s, s, s, s, s, s, s, s};
+}
+
+inline VD select(MD mask, VD a, VD b) {
+  return mask ? a : b;
+}
+inline VF select(MF mask, VF a, VF b) {
+  return mask ? a : b;
+}
+
+#if defined(__AVX__)
+inline VD sqrt(VD a) {
+  return _mm256_sqrt_pd(a);
+}
+inline VF sqrt(VF a) {
+  return _mm256_sqrt_ps(a);
+}
+inline VD min(VD a, VD b) {
+  return _mm256_min_pd(a, b);
+}
+inline VF min(VF a, VF b) {
+  return _mm256_min_ps(a, b);
+}
+inline VD max(VD a, VD b) {
+  return _mm256_max_pd(a, b);
+}
+inline VF max(VF a, VF b) {
+  return _mm256_max_ps(a, b);
+}
+inline unsigned bits(MD mask) {
+  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+}
+inline unsigned bits(MF mask) {
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+}
+#else
+template <class V>
+inline V min(V a, V b) {
+  return a < b ? a : b;
+}
+template <class V>
+inline V max(V a, V b) {
+  return a > b ? a : b;
+}
+inline VD sqrt(VD a) {
+  for (int i = 0; i < 4; ++i) a[i] = __builtin_sqrt(a[i]);
+  return a;
+}
+inline VF sqrt(VF a) {
+  for (int i = 0; i < 8; ++i) a[i] = __builtin_sqrtf(a[i]);
+  return a;
+}
+inline unsigned bits(MD mask) {
+  unsigned b = 0;
+  for (int i = 0; i < 4; ++i) b |= static_cast<unsigned>(mask[i] & 1) << i;
+  return b;
+}
+inline unsigned bits(MF mask) {
+  unsigned b = 0;
+  for (int i = 0; i < 8; ++i) b |= static_cast<unsigned>(mask[i] & 1) << i;
+  return b;
+}
+#endif
+
+template <class V>
+struct Vector2 {
+  V x, y;
+};
+
+template <class V>
+struct Vector3 {
+  V x, y, z;
+};
+
+template <class V>
+inline Vector2<V> operator+(const Vector2<V>& a, const Vector2<V>& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class V>
+inline Vector2<V> operator-(const Vector2<V>& a, const Vector2<V>& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class V>
+inline Vector2<V> operator*(V s, const Vector2<V>& a) {
+  return {s * a.x, s * a.y};
+}
+template <class V>
+inline V dot(const Vector2<V>& a, const Vector2<V>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+template <class V>
+inline V cross(const Vector2<V>& a, const Vector2<V>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+template <class V>
+inline Vector3<V> operator+(const Vector3<V>& a, const Vector3<V>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class V>
+inline Vector3<V> operator-(const Vector3<V>& a, const Vector3<V>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class V>
+inline Vector3<V> operator*(V s, const Vector3<V>& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class V>
+inline V dot(const Vector3<V>& a, const Vector3<V>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class V>
+inline Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace
+}  // namespace kappa::kernels

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/mesh/measure_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "kappa/core/error.hpp"
+#include "kappa/mesh/estimate.hpp"
+#include "kappa/mesh/normals.hpp"
+#include "support/shapes.hpp"
+
+namespace kappa {
+namespace {
+
+using shapes::Shape;
+
+constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
+
+std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
+                               BallDefinition ball, const Execution& run = {}) {
+  std::vector<BallMeasures> out(centres.size() * radii.size());
+  balls.sum(centres, radii, ball, run, [&](std::size_t query, const BallMeasures* per_radius) {
+    std::copy_n(per_radius, radii.size(), out.begin() + static_cast<std::ptrdiff_t>(query * radii.size()));
+  });
+  return out;
+}
+
+/// The sum with the sum of absolute values of what every triangle adds.
+struct Scaled {
+  BallMeasures ball;
+  MeasureSum scale;
+};
+
+std::vector<Scaled> brute_force(const MeasuredTriangles& t, const std::vector<Vec3>& centres,
+                                const std::vector<double>& radii, BallDefinition ball) {
+  std::vector<Scaled> out;
+  for (const Vec3& centre : centres) {
+    for (const double radius : radii) {
+      Scaled s;
+      for (std::size_t i = 0; i < t.size() && is_finite(centre); ++i) {
+        BallMeasures one;
+        if (!add_triangle_in_ball(t, i, centre, radius, ball, one)) continue;
+        s.ball.sum += one.sum;
+        ++s.ball.face_count;
+        s.scale.area += std::abs(one.sum.area);
+        s.scale.mu0 += std::abs(one.sum.mu0);
+        s.scale.mu2 += std::abs(one.sum.mu2);
+        for (std::size_t k = 0; k < 6; ++k) s.scale.mu_sym[k] += std::abs(one.sum.mu_sym[k]);
+      }
+      out.push_back(s);
+    }
+  }
+  return out;
+}
+
+/// Largest difference in units of the sums of absolute values; those of the tensor's entries together, because a
+/// single one may vanish. `floor`: area that counts as rounding of coordinates.
+double error(const MeasureSum& got, const Scaled& expected, double floor = 0) {
+  const MeasureSum &a = expected.ball.sum, &scale = expected.scale;
+  const auto relative = [](double difference, double unit) {
+    return difference == 0 ? 0.0 : std::abs(difference) / unit;
+  };
+  double tensor = 0, tensor_scale = 0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    tensor = std::max(tensor, std::abs(got.mu_sym[k] - a.mu_sym[k]));
+    tensor_scale += scale.mu_sym[k];
+  }
+  return std::max({relative(got.area - a.area, scale.area + floor), relative(got.mu0 - a.mu0, scale.mu0 + floor),
+                   relative(got.mu2 - a.mu2, scale.mu2 + floor), relative(tensor, tensor_scale + floor)});
+}
+
+/// Vertices, and as many places off the surface, at most `count` each.
+std::vector<Vec3> places(const Mesh& mesh, std::size_t count, double spread) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0, spread);
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& x =
+        mesh.vertices[count < mesh.vertices.size() ? random() % mesh.vertices.size() : i % mesh.vertices.size()];
+    out.push_back(x);
+    out.push_back(x + Vec3(normal(random), normal(random), normal(random)));
+  }
+  return out;
+}
+
+void expect_brute_force(const MeasuredTriangles& t, const std::vector<Vec3>& centres, const std::vector<double>& radii,
+                        const std::string& name, double tolerance = 1e-11) {
+  const MeasureTree tree(t);
+  for (const BallDefinition ball : kBalls) {
+    const auto got = sums(tree, centres, radii, ball);
+    const auto expected = brute_force(t, centres, radii, ball);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const std::string what = name + ", query " + std::to_string(i / radii.size()) + ", radius " +
+                               std::to_string(radii[i % radii.size()]) + ", definition " +
+                               std::to_string(static_cast<int>(ball));
+      EXPECT_EQ(got[i].face_count, expected[i].ball.face_count) << what;
+      EXPECT_LE(error(got[i].sum, expected[i], 1e-4 * t.measures[0].area), tolerance) << what;
+    }
+  }
+}
+
+TEST(MeasureTree, EqualsBruteForceOnTheZoo) {
+  for (const shapes::Specimen& s : shapes::zoo()) {
+    const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+    expect_brute_force(t, places(s.mesh, 60, 0.4), {0.053, 0.41, 1.13, 4.0, 2e4}, s.name);
+  }
+}
+
+TEST(MeasureTree, EqualsBruteForceOnTorusAtVerticesWithFiveToFortyFaces) {
+  const Shape s = shapes::torus(3, 1, 40, 24);
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  expect_brute_force(t, s.mesh.vertices, {0.05, 0.31, 0.45, 0.71, 0.93}, "torus");
+}
+
+TEST(MeasureTree, EqualsBruteForceFromTinyToLargerThanEverything) {
+  const Shape s = shapes::torus(3, 1, 70, 50);
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  expect_brute_force(t, places(s.mesh, 60, 0.5), {1e-9, 1e-4, 0.02, 1.0, 2.0, 3.7, 7.9, 8.5, 1e6}, "torus");
+}
+
+TEST(MeasureTree, EqualsBruteForceOnASoupOfAllSizes) {
+  const Shape s = shapes::sphere_soup(1, 3000, 5);
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  expect_brute_force(t, places(s.mesh, 60, 0.3), {0.01, 0.1, 0.5, 1.2, 2.5}, "soup");
+}
+
+TEST(MeasureTree, EqualsBruteForceWithFacesOfEverySize) {
+  // Pareto-distributed sizes and one face 10^4 times the others, over a sphere.
+  Shape s = shapes::sphere(1, 4);
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto add = [&](Vec3 x, Vec3 u, double size) {
+    const Vec3 a = u.unitOrthogonal(), b = u.cross(a);
+    const auto first = static_cast<Index>(s.mesh.vertices.size());
+    for (const Vec3& corner : {Vec3(x + size * a), Vec3(x + size * (b - a)), Vec3(x - size * (a + b))}) {
+      s.mesh.vertices.push_back(corner);
+      s.normals.push_back((u + 0.1 * Vec3(uniform(random), uniform(random), uniform(random))).normalized());
+    }
+    s.mesh.faces.add(first, first + 1, first + 2);
+  };
+  for (std::size_t i = 0; i < 60; ++i) {
+    const std::size_t v = random() % 1000;
+    add(s.mesh.vertices[v], s.normals[v], 0.05 * std::pow(1 - uniform(random), -1 / 1.2));
+  }
+  add(Vec3(0, 0, 0.5), Vec3::UnitZ(), 500);
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  // Corners 25,000 radii away are themselves rounded to 5e-12 radii.
+  constexpr double kFarCorners = 1e-10;
+  expect_brute_force(t, places(s.mesh, 100, 0.2), {0.02, 0.12, 0.4, 1.4}, "all sizes", kFarCorners);
+}
+
+TEST(MeasureTree, EqualsBruteForceOnBilinearQuads) {
+  Mesh mesh;
+  Normals u;
+  for (int i = 0; i < 9; ++i) {
+    for (int j = 0; j < 9; ++j) {
+      mesh.vertices.emplace_back(i, j, std::sin(0.7 * i) * std::cos(0.5 * j));
+      u.push_back(Vec3(0.3 * std::sin(i), 0.2 * std::cos(j), 1).normalized());
+      const auto v = static_cast<Index>(9 * i + j);
+      if (i < 8 && j < 8) mesh.faces.add({v, v + 9, v + 10, v + 1});
+    }
+  }
+  expect_brute_force(measure_triangles(mesh, u, QuadMeasures::Bilinear), places(mesh, 81, 0.3), {0.3, 1.1, 2.7},
+                     "quads");
+}
+
+TEST(MeasureTree, SmallestAndDegenerateInputs) {
+  const MeasureTree nothing((MeasuredTriangles()));
+  EXPECT_EQ(sums(nothing, {Vec3::Zero()}, {1.0}, BallDefinition::ExactDensity)[0].face_count, 0U);
+
+  Mesh one;
+  one.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.2, 1, 0)};
+  one.faces.add(0, 1, 2);
+  const Normals up(3, Vec3::UnitZ());
+  expect_brute_force(measure_triangles(one, up), places(one, 20, 0.5), {0.1, 0.6, 3}, "one triangle");
+
+  for (int copy = 0; copy < 4999; ++copy) one.faces.add(0, 1, 2);
+  const MeasuredTriangles all_at_one_place = measure_triangles(one, up);
+  expect_brute_force(all_at_one_place, places(one, 10, 0.5), {0.1, 0.6, 3}, "5000 triangles at one place");
+
+  Mesh point;
+  point.vertices.assign(3, Vec3(2, 3, 4));
+  for (int copy = 0; copy < 100; ++copy) point.faces.add(0, 1, 2);
+  const MeasureTree at_a_point(measure_triangles(point, up));
+  const auto got = sums(at_a_point, {Vec3(2, 3, 4), Vec3(2, 3, 5), Vec3(2, 3, 5.1)}, {1}, BallDefinition::ExactDensity);
+  EXPECT_EQ(got[0].face_count, 100U);
+  EXPECT_EQ(got[1].face_count, 100U) << "the ball is closed";
+  EXPECT_EQ(got[2].face_count, 0U);
+}
+
+TEST(MeasureTree, TouchingFacesCount) {
+  // Every distance is exact, so that engines can only agree by deciding alike.
+  const Shape s = shapes::square(9);
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  expect_brute_force(t, s.mesh.vertices, {0.125, 0.25, 0.375, 0.625, 1.0}, "square");
+  std::vector<Vec3> above;
+  for (const Vec3& x : s.mesh.vertices) above.push_back(x + Vec3(0, 0, 0.25));
+  expect_brute_force(t, above, {0.25, 0.5}, "square from above");
+}
+
+TEST(MeasureTree, RadiiTogetherEqualRadiiAlone) {
+  const Shape s = shapes::torus(3, 1, 50, 30);
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const MeasureTree tree(t);
+  const std::vector<double> radii = {0.8, 0.2, 0.8 * std::sqrt(0.5), 0.4, 5, 0.2};
+  for (const BallDefinition ball : kBalls) {
+    const auto together = sums(tree, s.mesh.vertices, radii, ball);
+    for (std::size_t r = 0; r < radii.size(); ++r) {
+      const auto alone = sums(tree, s.mesh.vertices, {radii[r]}, ball);
+      for (std::size_t i = 0; i < alone.size(); ++i) {
+        const BallMeasures &a = together[i * radii.size() + r], &b = alone[i];
+        EXPECT_EQ(a.face_count, b.face_count);
+        EXPECT_NEAR(a.sum.mu0, b.sum.mu0, 1e-13 * b.sum.area);
+        EXPECT_NEAR((a.sum.tensor() - b.sum.tensor()).norm(), 0, 1e-12 * b.sum.area);
+      }
+    }
+  }
+}
+
+TEST(MeasureTree, ThreadsGiveTheSameBits) {
+  const Shape s = shapes::torus(3, 1, 90, 60);
+  for (const Precision precision : {Precision::Double, Precision::Fast}) {
+    const MeasureTree tree(measure_triangles(s.mesh, s.normals), precision);
+    std::vector<std::vector<BallMeasures>> results;
+    for (const int threads : {1, 2, 3}) {
+      Execution run;
+      run.threads = threads;
+      results.push_back(sums(tree, s.mesh.vertices, {0.2, 0.7}, BallDefinition::ExactDensity, run));
+    }
+    for (std::size_t i = 0; i < results[0].size(); ++i) {
+      for (std::size_t other = 1; other < results.size(); ++other) {
+        EXPECT_EQ(std::memcmp(&results[0][i].sum, &results[other][i].sum, sizeof(MeasureSum)), 0) << i;
+        EXPECT_EQ(results[0][i].face_count, results[other][i].face_count);
+      }
+    }
+  }
+}
+
+TEST(MeasureTree, OrderOfQueriesAndCompanyChangeNoBit) {
+  const Shape s = shapes::torus(3, 1, 40, 30);
+  const MeasureTree tree(measure_triangles(s.mesh, s.normals));
+  std::vector<Vec3> shuffled = s.mesh.vertices;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937_64(4));
+  shuffled.resize(300);
+  const auto all = sums(tree, shuffled, {0.6}, BallDefinition::ExactDensity);
+  for (std::size_t i = 0; i < shuffled.size(); ++i) {
+    const auto alone = sums(tree, {shuffled[i]}, {0.6}, BallDefinition::ExactDensity);
+    EXPECT_EQ(std::memcmp(&all[i].sum, &alone[0].sum, sizeof(MeasureSum)), 0) << i;
+  }
+}
+
+TEST(MeasureTree, RefusesRadiiThatAreNoBallsAndSurvivesCentresThatAreNoPoints) {
+  const Shape s = shapes::sphere(1, 2);
+  const MeasureTree tree(measure_triangles(s.mesh, s.normals));
+  for (const double radius : {0.0, -1.0, kNaN, HUGE_VAL})
+    EXPECT_THROW(sums(tree, {Vec3::Zero()}, {radius}, BallDefinition::ExactDensity), Error) << radius;
+  const auto got =
+      sums(tree, {Vec3(kNaN, 0, 0), Vec3(0, HUGE_VAL, 0), Vec3(1, 0, 0)}, {0.5, 9.0}, BallDefinition::ExactDensity);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(got[i].face_count, 0U);
+    EXPECT_EQ(got[i].sum.mu0, 0.0);
+  }
+  EXPECT_GT(got[4].face_count, 0U);
+  EXPECT_EQ(got[5].face_count, tree.triangles().size());
+  EXPECT_TRUE(sums(tree, {Vec3::Zero()}, {}, BallDefinition::ExactDensity).empty());
+}
+
+TEST(MeasureTree, CanBeCancelled) {
+  const Shape s = shapes::torus(3, 1, 60, 40);
+  const MeasureTree tree(measure_triangles(s.mesh, s.normals));
+  std::atomic<bool> stop{false};
+  Execution run;
+  run.cancel = &stop;
+  std::size_t answered = 0;
+  const auto sink = [&](std::size_t, const BallMeasures*) {
+    if (++answered == 10) stop = true;
+  };
+  EXPECT_THROW(tree.sum(s.mesh.vertices, {0.5}, BallDefinition::ExactDensity, run, sink), Cancelled);
+  EXPECT_LT(answered, s.mesh.vertices.size());
+}
+
+TEST(MeasureTree, ExactDensityIsUnchangedWhenFacesAreSplitInFour) {
+  const Shape coarse = shapes::torus(3, 1, 40, 24), fine = shapes::subdivided(coarse);
+  const MeasureTree coarse_tree(measure_triangles(coarse.mesh, coarse.normals));
+  const MeasureTree fine_tree(measure_triangles(fine.mesh, fine.normals));
+  const std::vector<double> radii = {0.2, 0.9, 2.3};
+  double fraction_change = 0;
+  for (const BallDefinition ball : kBalls) {
+    const auto a = sums(coarse_tree, coarse.mesh.vertices, radii, ball);
+    const auto b = sums(fine_tree, coarse.mesh.vertices, radii, ball);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double change = (a[i].sum.tensor() - b[i].sum.tensor()).norm() + std::abs(a[i].sum.mu0 - b[i].sum.mu0);
+      if (ball == BallDefinition::ExactDensity) {
+        EXPECT_LE(change, 1e-12 * a[i].sum.area) << i;
+      } else {
+        fraction_change = std::max(fraction_change, change / a[i].sum.area);
+      }
+    }
+  }
+  EXPECT_GT(fraction_change, 1e-6) << "the area fraction does depend on the faces: this test could not fail";
+}
+
+TEST(MeasureTree, ScalesWithoutLossFarFromUnity) {
+  const Shape s = shapes::torus(3, 1, 50, 30);
+  const MeasureTree unit(measure_triangles(s.mesh, s.normals));
+  const auto expected = sums(unit, s.mesh.vertices, {0.7}, BallDefinition::ExactDensity);
+  for (const double scale : {1e-6, 1e6}) {
+    Mesh mesh = s.mesh;
+    for (Vec3& x : mesh.vertices) x *= scale;
+    const MeasureTree tree(measure_triangles(mesh, s.normals));
+    const auto got = sums(tree, mesh.vertices, {0.7 * scale}, BallDefinition::ExactDensity);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      EXPECT_EQ(got[i].face_count, expected[i].face_count);
+      EXPECT_NEAR(got[i].sum.mu0 / (scale * scale), expected[i].sum.mu0, 1e-11 * expected[i].sum.area);
+      EXPECT_NEAR(got[i].sum.mu1() / scale, expected[i].sum.mu1(), 1e-11 * expected[i].sum.area);
+    }
+  }
+}
+
+/// Largest differences of measures, relative, and of the mean curvature over its largest.
+void expect_fast_close(const Shape& s, double radius, BallDefinition ball) {
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const MeasureTree in_double(t), fast(t, Precision::Fast);
+  const auto exact = sums(in_double, s.mesh.vertices, {radius}, ball),
+             got = sums(fast, s.mesh.vertices, {radius}, ball);
+  double largest = 0, measures = 0, mean = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const MeasureSum &a = exact[i].sum, &b = got[i].sum;
+    largest = std::max(largest, std::abs(a.mu1() / (2 * a.mu0)));
+    measures = std::max({measures, std::abs(b.mu0 / a.mu0 - 1), std::abs(b.area / a.area - 1)});
+    mean = std::max(mean, std::abs(a.mu1() / (2 * a.mu0) - b.mu1() / (2 * b.mu0)));
+  }
+  EXPECT_LE(measures, 1e-6) << "radius " << radius << " definition " << static_cast<int>(ball);
+  EXPECT_LE(mean, 5e-6 * largest) << "radius " << radius << " definition " << static_cast<int>(ball);
+  EXPECT_GT(measures, 0) << "the same numbers: nothing was computed in floats";
+}
+
+TEST(FastMeasureTree, StaysWithinItsBounds) {
+  Shape s = shapes::torus(3, 1, 160, 100);
+  for (const double radius : {0.12, 0.3, 1.0}) {
+    for (const BallDefinition ball : kBalls) expect_fast_close(s, radius, ball);
+  }
+  // Far from the origin, as georeferenced coordinates are.
+  for (Vec3& x : s.mesh.vertices) x += Vec3(4e3, -6e3, 1e3);
+  expect_fast_close(s, 0.3, BallDefinition::ExactDensity);
+}
+
+TEST(MeasureTree, BytesPerTriangle) {
+  const Shape s = shapes::torus(3, 1, 200, 150);
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const auto per_triangle = [&](Precision p) {
+    return static_cast<double>(MeasureTree(t, p).bytes()) / static_cast<double>(t.size());
+  };
+  EXPECT_LE(per_triangle(Precision::Double), 130);
+  EXPECT_LE(per_triangle(Precision::Fast), 90);
+}
+
+}  // namespace
+}  // namespace kappa
