@@ -119,7 +119,7 @@ TEST(Robustness, InterruptLeavesNoFile) {
   const Folder f;
   ASSERT_EQ(run({"generate", "torus", f.file("t.ply"), "--slices", "400", "--sides", "300"}).exit_code, 0);
   const auto before = f.names();
-  // Hours of work, so that it is running when the signal comes.
+  // Many seconds of work, so that it is running when the signal comes.
   const Outcome stopped = run({"curvature", f.file("t.ply"), f.file("o.ply"), "--radius", "2"}, 1500);
   EXPECT_EQ(stopped.exit_code, 1) << stopped.out;
   EXPECT_NE(stopped.err.find("cancelled"), std::string::npos) << stopped.err;
