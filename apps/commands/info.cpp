@@ -22,6 +22,7 @@ struct Info {
   std::size_t invalid = 0, duplicates = 0;
   Bounds extent;  ///< in the coordinates of the file
   double spacing = kNaN, edge = kNaN, radius = kNaN;
+  std::string surface;  ///< what `auto` would make of it, and why; empty if nothing
   Topology topology;
 };
 
@@ -45,6 +46,7 @@ Info gather(const std::string& input) {
     surface.spacing = info.edge;
   } else if (info.scan.points.size() - info.invalid - info.duplicates > 3) {
     surface = make_surface(info.scan, {});
+    info.surface = std::string(name(surface.kind)) + " (" + surface.reason + ")";
   }
   info.radius = automatic_radius(surface);
   return info;
@@ -80,8 +82,9 @@ void print_text(const std::string& input, const Info& info) {
   std::printf("fields      %s\n", field_names(s).c_str());
   if (s.viewpoint) std::printf("viewpoint   %g %g %g\n", s.viewpoint->x(), s.viewpoint->y(), s.viewpoint->z());
   if (s.is_mesh()) print_topology(info.topology, info.edge);
+  if (!info.surface.empty()) std::printf("surface     %s\n", info.surface.c_str());
   std::printf("suggested   --radius %s (5 median edges%s)\n", short_number(info.radius).c_str(),
-              s.is_mesh() ? "; 0 for the finest scale" : " of the umbrella surface");
+              s.is_mesh() ? "; 0 for the finest scale" : " of that surface");
 }
 
 void print_json(const std::string& input, const Info& info) {
@@ -102,7 +105,7 @@ void print_json(const std::string& input, const Info& info) {
   json.add("edges", t.edges).add("border_edges", t.border_edges).add("nonmanifold_edges", t.nonmanifold_edges);
   json.add("inconsistent_edges", t.inconsistent_edges).add("isolated_vertices", t.isolated_vertices);
   json.add("components", t.components).add("euler", static_cast<double>(t.euler)).add("median_edge", info.edge);
-  json.add("suggested_radius", info.radius);
+  json.add("surface", info.surface).add("suggested_radius", info.radius);
   std::printf("%s\n", json.text().c_str());
 }
 

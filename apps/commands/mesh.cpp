@@ -15,6 +15,7 @@ void declare_mesh(CLI::App& command, SurfaceCommand& arguments) {
 }
 
 void run_mesh(const SurfaceCommand& arguments) {
+  need_faces(arguments.surface, "mesh");
   check_writable(arguments.output);
   Stages stages(arguments.run.threads, arguments.run.seed, arguments.run.quiet);
   const SurfaceResult result = read_and_make_surface(arguments, stages);

@@ -29,6 +29,25 @@ void refuse_degrees(const std::string& input, const Scan& scan) {
 
 }  // namespace
 
+/// Curvatures of each point's own triangles, for a surface without faces.
+std::vector<CurvatureField> measure_points(const SurfaceResult& result, TriangleScheme scheme,
+                                           const SurfaceOptions& options, const Execution& run) {
+  RandomTriangleOptions triangles;
+  triangles.scheme = scheme;
+  triangles.neighbours = options.neighbours.value_or(triangles.neighbours);
+  triangles.triangles = options.triangles;
+  return {random_triangle_curvatures(result.surface.mesh.vertices, result.surface.u, triangles, run)};
+}
+
+void check_fields(const std::string& input, const std::vector<CurvatureField>& fields) {
+  for (const CurvatureField& field : fields) {
+    if (summarise(field).valid == 0)
+      throw Error(ErrorCode::InvalidData, input + ": no point has a curvature at radius " +
+                                              radius_suffix(field.radius).substr(2) +
+                                              "; give a larger radius, or other normals");
+  }
+}
+
 void declare_files(CLI::App& command, SurfaceCommand& arguments, const std::string& outputs) {
   command.add_option("input", arguments.input, "Scan or mesh: .pcd .ply .obj .off .stl .vtp .las .xyz .pts .txt .csv")
       ->required();
@@ -49,6 +68,17 @@ SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& sta
   r.surface = stages.run("surface", [&](const Execution& run) { return make_surface(r.scan, options, run); });
   if (arguments.surface.flip) r.surface.u = flipped(r.surface.u);
   return r;
+}
+
+void need_faces(const SurfaceArguments& arguments, const std::string& command) {
+  if (!triangle_scheme(arguments.surface.surface)) return;
+  throw CLI::ValidationError("--surface", std::string(name(arguments.surface.surface)) +
+                                              " measures each point alone, for 'kappa curvature'; " + command +
+                                              " needs faces, as of umbrella");
+}
+
+std::size_t dropped_faces(const Measured& measured) {
+  return measured.balls ? measured.balls->triangles().dropped_faces : 0;
 }
 
 Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
@@ -92,15 +122,21 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
 
 Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
   parse_radii(arguments.measure.radii);  // a wrong use is told before any work
-  Measured m = prepare(arguments, stages);
-  const std::vector<double> radii = choose_radii(arguments, m);
-  m.fields = stages.run("curvatures", [&](const Execution& run) { return measure(m, arguments.measure, radii, run); });
-  for (const CurvatureField& field : m.fields) {
-    if (summarise(field).valid == 0)
-      throw Error(ErrorCode::InvalidData, arguments.input + ": no point has a curvature at radius " +
-                                              radius_suffix(field.radius).substr(2) +
-                                              "; give a larger radius, or other normals");
+  Measured m;
+  if (const auto scheme = triangle_scheme(arguments.surface.surface.surface)) {
+    if (!arguments.measure.radii.empty())
+      throw CLI::ValidationError("--radius", std::string("has no meaning for ") + name(*scheme) +
+                                                 ", which measures triangles of each point alone; leave it out");
+    static_cast<SurfaceResult&>(m) = read_and_make_surface(arguments, stages);
+    const SurfaceOptions options = surface_options(arguments.surface);
+    m.fields = stages.run("curvatures", [&](const Execution& run) { return measure_points(m, *scheme, options, run); });
+  } else {
+    m = prepare(arguments, stages);
+    const std::vector<double> radii = choose_radii(arguments, m);
+    m.fields =
+        stages.run("curvatures", [&](const Execution& run) { return measure(m, arguments.measure, radii, run); });
   }
+  check_fields(arguments.input, m.fields);
   return m;
 }
 

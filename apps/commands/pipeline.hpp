@@ -34,12 +34,19 @@ struct SurfaceResult {
 };
 SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages);
 
+/// Refuses surfaces that have no faces, for a command that needs them.
+/// @throws CLI::ValidationError.
+void need_faces(const SurfaceArguments& arguments, const std::string& command);
+
 /// A scan with everything up to its curvatures.
 struct Measured : SurfaceResult {
-  std::unique_ptr<BallSum> balls;
-  std::vector<CurvatureField> fields;  ///< one a radius
+  std::unique_ptr<BallSum> balls;      ///< null if the surface has no faces
+  std::vector<CurvatureField> fields;  ///< one a radius; without faces one alone
   bool automatic = false;              ///< the radius was chosen from the spacing
 };
+
+/// Faces that could not be measured.
+std::size_t dropped_faces(const Measured& measured);
 
 /// Reads and makes the surface; the balls are ready to be summed.
 Measured prepare(const CurvatureArguments& arguments, Stages& stages);

@@ -8,12 +8,14 @@
 #include "kappa/io/read.hpp"
 #include "kappa/view/figure.hpp"
 #include "surface_options.hpp"
+#include "up_axis.hpp"
 
 namespace kappa::app {
 namespace {
 
 struct RenderArguments {
-  std::string input, output, field, range, camera, up, size, unit;
+  std::string input, output, field, range, camera, size, unit;
+  std::optional<UpAxis> up;
   FigureOptions figure;
   ScalarStyle style;
   bool labels = false, edges = false, sequential = false, quiet = false;
@@ -41,8 +43,7 @@ void declare_render(CLI::App& command, RenderArguments& arguments) {
   declare_style(command, arguments);
   command.add_option("--title", arguments.figure.title, "Text above the picture");
   command.add_option("--camera", arguments.camera, "AZIMUTH,ELEVATION in degrees; default: chosen from the shape");
-  command.add_option("--up", arguments.up, "Axis that points up: y, z; default: chosen from the shape")
-      ->check(CLI::IsMember({"y", "z"}));
+  declare_up_axis(command, arguments.up);
   command.add_option("--size", arguments.size, "WIDTH,HEIGHT in pixels")->option_text("W,H=1600,1000");
   command.add_option("--point-size", arguments.figure.point_size, "Diameter of points in pixels, 0 to close the gaps")
       ->check(CLI::NonNegativeNumber)
@@ -55,7 +56,7 @@ FigureOptions figure_options(const RenderArguments& arguments, const Scan& scan)
   FigureOptions options = arguments.figure;
   options.edges = arguments.edges ? Edges::Shown : Edges::Hidden;
   Camera camera = automatic_camera(scan);
-  if (!arguments.up.empty()) camera.up = arguments.up == "y" ? UpAxis::Y : UpAxis::Z;
+  camera.up = arguments.up.value_or(camera.up);
   if (!arguments.camera.empty()) {
     const std::vector<double> angles = parse_numbers("--camera", arguments.camera, 2);
     camera.azimuth = angles[0];

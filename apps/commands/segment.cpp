@@ -98,6 +98,7 @@ void write_all(const SegmentArguments& arguments, const Measured& m, const std::
 
 void run_segment(const SegmentArguments& arguments) {
   const CurvatureArguments& common = arguments.curvature;
+  need_faces(common.surface, "segment");
   check_writable(common.output);
   Stages stages(common.run.threads, common.run.seed, common.run.quiet);
   const Measured m = measure_input(common, stages);

@@ -33,17 +33,35 @@ void print_points(const Measured& m) {
   if (s.invalid_points) std::printf(", %zu without a position", s.invalid_points);
   if (s.normalless_points) std::printf(", %zu without a normal", s.normalless_points);
   if (s.starless_points) std::printf(", %zu without faces (isolated or on a line)", s.starless_points);
-  std::printf("\nsurface     %s: %zu faces, median edge %s", name(s.kind), s.mesh.faces.size(),
-              short_number(s.spacing).c_str());
-  const std::size_t dropped = m.balls->triangles().dropped_faces;
-  if (dropped) std::printf(", %zu faces left out (a corner lacks position or normal)", dropped);
+  if (s.at_sensor) std::printf(", %zu at the scanner (no return)", s.at_sensor);
+  std::printf("\nsurface     %s (%s): ", name(s.kind), s.reason.c_str());
+  if (m.balls) {
+    std::printf("%zu faces, median edge %s", s.mesh.faces.size(), short_number(s.spacing).c_str());
+  } else {
+    std::printf("triangles of each point alone, median spacing %s", short_number(s.spacing).c_str());
+  }
+  if (s.cut_faces) std::printf(", %zu cut (gap, depth edge or grazing)", s.cut_faces);
+  const std::size_t dropped = dropped_faces(m);
+  if (dropped) std::printf(", %zu left out (a corner lacks position or normal)", dropped);
   std::printf("\nnormals     %s, sign by %s\n", name(s.normals), name(s.orientation));
 }
 
-void print_field(const CurvatureField& field, bool automatic) {
+void warn_of_disagreement(const NormalAgreement& agreement) {
+  if (agreement.opposed_share() < kSuspiciousDisagreement) return;
+  std::printf(
+      "warning     %.1f %% of neighbouring normals point to opposite sides, so the sign of the curvature is in "
+      "doubt; try --orient mst, or viewpoint X,Y,Z\n",
+      100 * agreement.opposed_share());
+}
+
+void print_field(const Measured& m, const CurvatureField& field) {
   const FieldSummary s = summarise(field);
-  std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(),
-              automatic ? " (automatic, 5 median edges)" : "", s.valid);
+  if (m.balls) {
+    std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(),
+                m.automatic ? " (automatic, 5 median edges)" : "", s.valid);
+  } else {
+    std::printf("curvatures  %zu valid", s.valid);
+  }
   if (s.empty) std::printf(", %zu with no face in the ball", s.empty);
   if (s.degenerate) std::printf(", %zu with vanishing area", s.degenerate);
   if (s.invalid) std::printf(", %zu without position or normal", s.invalid);
@@ -70,8 +88,9 @@ void print_segments(const SegmentSummary& s) {
 void print_text(const CurvatureArguments& arguments, const Measured& m, const std::vector<SegmentSummary>& segments,
                 const std::vector<Stages::Timed>& timed) {
   print_points(m);
+  warn_of_disagreement(m.surface.agreement);
   for (std::size_t r = 0; r < m.fields.size(); ++r) {
-    print_field(m.fields[r], m.automatic);
+    print_field(m, m.fields[r]);
     if (r < segments.size()) print_segments(segments[r]);
   }
   std::printf("seconds    ");
@@ -124,12 +143,16 @@ void print_json(const CurvatureArguments& arguments, const Measured& m, const st
                           .add("output", arguments.output)
                           .add("points", m.scan.points.size())
                           .add("faces", s.mesh.faces.size())
-                          .add("dropped_faces", m.balls->triangles().dropped_faces)
+                          .add("dropped_faces", dropped_faces(m))
+                          .add("cut_faces", s.cut_faces)
+                          .add("at_sensor", s.at_sensor)
+                          .add("opposed_normals", s.agreement.opposed_share())
                           .add("duplicate_points", s.duplicate_points)
                           .add("invalid_points", s.invalid_points)
                           .add("normalless_points", s.normalless_points)
                           .add("starless_points", s.starless_points)
                           .add("surface", name(s.kind))
+                          .add("reason", s.reason)
                           .add("normals", name(s.normals))
                           .add("orientation", name(s.orientation))
                           .add("spacing", s.spacing)

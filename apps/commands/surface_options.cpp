@@ -31,13 +31,48 @@ void declare(CLI::App& command, RunOptions& options) {
 
 void declare(CLI::App& command, SurfaceArguments& options) {
   SurfaceOptions& s = options.surface;
-  command.add_option("--surface", s.surface, "Faces: auto, faces (of the file), umbrella (of a cloud)")
-      ->transform(one_of<SurfaceKind>(
-          {{"auto", SurfaceKind::Auto}, {"faces", SurfaceKind::Faces}, {"umbrella", SurfaceKind::Umbrella}}))
+  command
+      .add_option(
+          "--surface", s.surface,
+          "Faces: auto, faces (of the file), umbrella, grid (organised cloud), delaunay (in plan), spinning (sweep); "
+          "or triangles of each point alone: uniform, independent, hexagram, avg-hexagram")
+      ->transform(one_of<SurfaceKind>({{"auto", SurfaceKind::Auto},
+                                       {"faces", SurfaceKind::Faces},
+                                       {"umbrella", SurfaceKind::Umbrella},
+                                       {"grid", SurfaceKind::Grid},
+                                       {"delaunay", SurfaceKind::Delaunay},
+                                       {"spinning", SurfaceKind::Spinning},
+                                       {"uniform", SurfaceKind::Uniform},
+                                       {"independent", SurfaceKind::Independent},
+                                       {"hexagram", SurfaceKind::Hexagram},
+                                       {"avg-hexagram", SurfaceKind::AveragedHexagram}}))
       ->option_text("KIND=auto");
-  command.add_option("--neighbours", s.neighbours, "Points in each star of an umbrella surface")
-      ->check(CLI::Range(3, 255))
+  command
+      .add_option("--neighbours", s.neighbours,
+                  "Points in each star of an umbrella surface (16), or among which random triangles are chosen (20)")
+      ->check(CLI::Range(3, 255));
+  command.add_option("--triangles", s.triangles, "Triangles of each point for uniform and independent")
+      ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  command
+      .add_option("--max-edge", s.delaunay.max_edge, "Longest edge of a delaunay face in plan, in units of the spacing")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      .add_option("--plan-duplicates", s.delaunay.duplicates,
+                  "Of points above each other, which delaunay goes through: highest, lowest")
+      ->transform(one_of<PlanDuplicates>({{"highest", PlanDuplicates::Highest}, {"lowest", PlanDuplicates::Lowest}}))
+      ->option_text("WHICH=highest");
+  command
+      .add_option("--max-depth-jump", options.max_depth_jump,
+                  "Grid and spinning: corners whose distances from the scanner differ by more than this part of the "
+                  "smaller make no face (0.05, spinning 0.25)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--max-incidence", options.max_incidence,
+                  "Grid and spinning: faces seen at more than this angle to their normal are cut, degrees (80, "
+                  "spinning 84)")
+      ->check(CLI::Range(1.0, 90.0));
   command
       .add_option("--normals", s.normals, "auto, input, geometric, area, angle, max (from faces), pca (from points)")
       ->transform(one_of<NormalsKind>({{"auto", NormalsKind::Auto},
@@ -54,7 +89,9 @@ void declare(CLI::App& command, SurfaceArguments& options) {
   command.add_option("--smooth", s.averaging_passes, "Averaging passes over the normals")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
-  command.add_option("--orient", options.orient, "auto, up, viewpoint [X,Y,Z] or input: sign of the normals")
+  command
+      .add_option("--orient", options.orient,
+                  "auto, up, viewpoint [X,Y,Z], mst (or outward) or input: sign of the normals")
       ->expected(1, 2)
       ->option_text("HOW=auto");
   command.add_flag("--flip", options.flip, "Turn all normals round");
@@ -62,6 +99,10 @@ void declare(CLI::App& command, SurfaceArguments& options) {
 
 SurfaceOptions surface_options(const SurfaceArguments& arguments) {
   SurfaceOptions options = arguments.surface;
+  for (GridOptions* cuts : {&options.grid, &options.spinning}) {
+    cuts->max_depth_jump = arguments.max_depth_jump.value_or(cuts->max_depth_jump);
+    cuts->max_incidence = arguments.max_incidence.value_or(cuts->max_incidence);
+  }
   if (arguments.orient.empty()) return options;
   const std::string& how = arguments.orient.front();
   if (how == "up") {
@@ -70,8 +111,10 @@ SurfaceOptions surface_options(const SurfaceArguments& arguments) {
     options.orientation = Orientation::Input;
   } else if (how == "viewpoint") {
     options.orientation = Orientation::Viewpoint;
+  } else if (how == "mst" || how == "outward") {
+    options.orientation = Orientation::Consistent;
   } else if (how != "auto") {
-    throw CLI::ValidationError("--orient", "'" + how + "' is not one of auto, up, viewpoint, input");
+    throw CLI::ValidationError("--orient", "'" + how + "' is not one of auto, up, viewpoint, mst, outward, input");
   }
   if (arguments.orient.size() == 1) return options;
   if (how != "viewpoint") throw CLI::ValidationError("--orient", "only viewpoint takes coordinates");

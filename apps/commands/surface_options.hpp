@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ void declare(CLI::App& command, RunOptions& options);
 /// Options of the stages up to the corrected normals.
 struct SurfaceArguments {
   SurfaceOptions surface;
+  std::optional<double> max_depth_jump, max_incidence;  ///< GridOptions of both grid and spinning
   std::vector<std::string> orient;
   bool flip = false;
 };

@@ -6,19 +6,20 @@
 #include "kappa/segment/regions.hpp"
 #include "kappa/view/viewer.hpp"
 #include "pipeline.hpp"
+#include "up_axis.hpp"
 
 namespace kappa::app {
 namespace {
 
 struct ViewArguments {
   CurvatureArguments curvature;
-  std::string picture_folder = ".", up;
+  std::string picture_folder = ".";
+  std::optional<UpAxis> up;
 };
 
 void declare_view(CLI::App& command, ViewArguments& arguments) {
   command.add_option("input", arguments.curvature.input, "Scan or mesh")->required();
-  command.add_option("--up", arguments.up, "Axis that points up: y, z; default: chosen from the shape")
-      ->check(CLI::IsMember({"y", "z"}));
+  declare_up_axis(command, arguments.up);
   declare_stages(command, arguments.curvature);
   command.add_option("--pictures", arguments.picture_folder, "Folder that the key c saves pictures in")
       ->check(CLI::ExistingDirectory)
@@ -74,12 +75,13 @@ ViewerOptions viewer_options(const ViewArguments& arguments, const Measured& m, 
   options.max_radius = std::max({0.25 * diagonal, 2 * options.min_radius, radius});
   options.radius = radius;
   options.camera = automatic_camera(m.scan);
-  if (!arguments.up.empty()) options.camera->up = arguments.up == "y" ? UpAxis::Y : UpAxis::Z;
+  options.camera->up = arguments.up.value_or(options.camera->up);
   return options;
 }
 
 void run_view(const ViewArguments& arguments) {
   const CurvatureArguments& common = arguments.curvature;
+  need_faces(common.surface, "view");
   Stages stages(common.run.threads, common.run.seed, common.run.quiet);
   Measured m = prepare(common, stages);
   double radius = choose_radii(common, m).front();

@@ -6,14 +6,11 @@
 
 #include "kappa/core/error.hpp"
 #include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/neighbours.hpp"
+#include "surface_choice.hpp"
 
 namespace kappa {
 namespace {
-
-bool from_faces(NormalsKind kind) {
-  return kind == NormalsKind::Geometric || kind == NormalsKind::Area || kind == NormalsKind::Angle ||
-         kind == NormalsKind::Max;
-}
 
 NormalWeights weights_of(NormalsKind kind) {
   switch (kind) {
@@ -28,86 +25,107 @@ NormalWeights weights_of(NormalsKind kind) {
   }
 }
 
-void choose_sources(const Scan& scan, const SurfaceOptions& options, Surface& s) {
-  s.kind = options.surface;
-  if (s.kind == SurfaceKind::Auto) s.kind = scan.is_mesh() ? SurfaceKind::Faces : SurfaceKind::Umbrella;
-  if (s.kind == SurfaceKind::Faces && !scan.is_mesh())
-    throw Error(ErrorCode::InvalidArgument, "surface = faces, but the data has no faces; use umbrella for a cloud");
-  s.normals = options.normals;
-  if (s.normals == NormalsKind::Auto) {
-    const NormalsKind made = s.kind == SurfaceKind::Faces ? NormalsKind::Max : NormalsKind::Pca;
-    s.normals = scan.normals.empty() ? made : NormalsKind::Input;
+/// Orientation of planes fitted to a cloud that no scanner is known of.
+Orientation choose_by_slope(const Normals& u) {
+  constexpr double kFlat = 0.7;
+  std::size_t flat = 0, all = 0;
+  for (const Vec3& v : u) {
+    flat += std::abs(v.z()) > kFlat;
+    all += !v.isZero(0);
   }
-  if (s.normals == NormalsKind::Input && scan.normals.empty())
-    throw Error(ErrorCode::InvalidArgument,
-                "normals = input, but the data has no normals; use " + std::string(scan.is_mesh() ? "max" : "pca"));
-  if (s.normals == NormalsKind::Input && scan.normals.size() != scan.points.size())
-    throw Error(ErrorCode::InvalidArgument, std::to_string(scan.normals.size()) + " normals for " +
-                                                std::to_string(scan.points.size()) + " points: give one a point");
+  return 2 * flat >= all ? Orientation::Up : Orientation::Consistent;
 }
 
-std::optional<Vec3> local_viewpoint(const Scan& scan, const SurfaceOptions& options) {
-  const std::optional<Vec3>& viewpoint = options.viewpoint ? options.viewpoint : scan.viewpoint;
-  if (!viewpoint) return std::nullopt;
-  return Vec3(*viewpoint - scan.origin);
-}
-
-/// Whether a scanner may have stood there: files without a known viewpoint say (0, 0, 0), which for georeferenced
-/// data is far away.
-bool near_points(const Vec3& viewpoint, const Bounds& b) {
-  const Vec3 nearest = viewpoint.cwiseMax(b.min).cwiseMin(b.max);
-  return (viewpoint - nearest).norm() <= b.diagonal();
-}
-
-Orientation choose_orientation(const Scan& scan, const SurfaceOptions& options, const Surface& s) {
-  if (options.orientation != Orientation::Auto) return options.orientation;
-  if (s.normals == NormalsKind::Input) return Orientation::Input;
-  if (from_faces(s.normals) && s.kind == SurfaceKind::Faces) return Orientation::AsFaces;
-  const std::optional<Vec3> viewpoint = local_viewpoint(scan, options);
-  if (options.viewpoint || (viewpoint && near_points(*viewpoint, bounds(scan.points)))) return Orientation::Viewpoint;
-  return Orientation::Up;
-}
-
-void check_orientation(const Scan& scan, const SurfaceOptions& options, const Surface& s) {
-  if (s.orientation == Orientation::Input && s.normals != NormalsKind::Input)
-    throw Error(ErrorCode::InvalidArgument, "orientation = input needs normals = input; use up or viewpoint");
-  if (s.orientation == Orientation::AsFaces && s.kind != SurfaceKind::Faces)
-    throw Error(ErrorCode::InvalidArgument, "orientation by faces needs the faces of a mesh; use up or viewpoint");
-  if (s.orientation == Orientation::Viewpoint && !local_viewpoint(scan, options))
-    throw Error(ErrorCode::InvalidArgument, "orientation = viewpoint, but none is known; give its coordinates");
-  if (options.viewpoint && !is_finite(*options.viewpoint))
-    throw Error(ErrorCode::InvalidArgument, "the viewpoint is not finite; give three finite coordinates");
-}
-
-void orient(const Scan& scan, const SurfaceOptions& options, Surface& s) {
+void orient(const Scan& scan, const SurfaceChoice& choice, Surface& s) {
+  if (s.orientation == Orientation::Auto) s.orientation = choose_by_slope(s.u);
   if (s.orientation == Orientation::Up) orient_along(Vec3::UnitZ(), s.u);
-  if (s.orientation == Orientation::Viewpoint) orient_towards(scan.points, *local_viewpoint(scan, options), s.u);
+  if (s.orientation == Orientation::Viewpoint) orient_towards(scan.points, *choice.viewpoint, s.u);
+  if (s.orientation == Orientation::Consistent) s.agreement = orient_consistently(scan.points, s.u).agreement;
 }
 
-void use_faces(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
-  s.mesh = mesh_of(scan);
-  if (s.normals == NormalsKind::Input) s.u = normalised(scan.normals);
-  if (s.normals == NormalsKind::Pca) s.u = pca_normals(scan.points, {options.normal_neighbours}, run);
-  if (from_faces(s.normals)) s.u = vertex_normals(s.mesh, weights_of(s.normals), run);
-  orient(scan, options, s);
+/// Normals of the points, where they do not come from faces.
+Normals point_normals(const Scan& scan, const SurfaceOptions& options, NormalsKind kind, const Execution& run) {
+  return kind == NormalsKind::Input ? normalised(scan.normals)
+                                    : pca_normals(scan.points, {options.normal_neighbours}, run);
 }
 
-void use_umbrella(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
-  s.u = s.normals == NormalsKind::Input ? normalised(scan.normals)
-                                        : pca_normals(scan.points, {options.normal_neighbours}, stage(run, 0.0, 0.5));
-  orient(scan, options, s);
-  CloudSurface cloud = umbrella_surface(scan.origin, scan.points, s.u, {options.neighbours}, stage(run, 0.5, 1.0));
+void take(CloudSurface cloud, Surface& s) {
   s.mesh = std::move(cloud.mesh);
   s.twins = std::move(cloud.representative);
   s.duplicate_points = cloud.duplicate_points;
   s.starless_points = cloud.starless_points;
+}
+
+std::size_t total(const GridCuts& cuts) {
+  return cuts.depth_jumps + cuts.grazing + cuts.degenerate;
+}
+
+void make_grid(const Scan& scan, const SurfaceOptions& options, const Vec3& viewpoint, Surface& s,
+               const Execution& run) {
+  GridSurface grid = grid_surface(scan.origin, scan.points, scan.width, scan.height, viewpoint, options.grid, run);
+  s.cut_faces = total(grid.cuts);
+  take(std::move(grid.surface), s);
+}
+
+void make_spinning(const Scan& scan, const SurfaceOptions& options, const Vec3& viewpoint, Surface& s,
+                   const Execution& run) {
+  const Field* ring = scan.field("ring");
+  SpinningSurface spinning = spinning_surface(scan.origin, scan.points, viewpoint,
+                                              ring ? ring->values : std::vector<double>{}, options.spinning, run);
+  s.cut_faces = total(spinning.grid.cuts);
+  s.at_sensor = spinning.sweep.at_sensor;
+  take(std::move(spinning.grid.surface), s);
+}
+
+void make_delaunay(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
+  PlanSurface plan = delaunay_surface(scan.origin, scan.points, options.delaunay, run);
+  s.cut_faces = plan.cut_faces;
+  take(std::move(plan.surface), s);
+}
+
+/// Faces that depend on positions and viewpoint alone; normals of them, or of the points.
+void use_turned_faces(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
+                      const Execution& run) {
+  const Execution first = stage(run, 0.0, 0.6), second = stage(run, 0.6, 1.0);
+  if (s.kind == SurfaceKind::Faces) s.mesh = mesh_of(scan);
+  if (s.kind == SurfaceKind::Delaunay) make_delaunay(scan, options, s, first);
+  if (s.kind == SurfaceKind::Grid) make_grid(scan, options, *choice.viewpoint, s, first);
+  if (s.kind == SurfaceKind::Spinning) make_spinning(scan, options, *choice.viewpoint, s, first);
+  s.u = from_faces(s.normals) ? vertex_normals(s.mesh, weights_of(s.normals), second)
+                              : point_normals(scan, options, s.normals, second);
+  orient(scan, choice, s);
+}
+
+/// Stars in the tangent planes; normals from faces then take the place of those that the planes were made of.
+void use_umbrella(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
+                  const Execution& run) {
+  s.u = point_normals(scan, options, s.normals, stage(run, 0.0, 0.5));
+  orient(scan, choice, s);
+  const int neighbours = options.neighbours.value_or(UmbrellaOptions{}.neighbours);
+  take(umbrella_surface(scan.origin, scan.points, s.u, {neighbours}, stage(run, 0.5, 1.0)), s);
   if (from_faces(s.normals)) s.u = vertex_normals(s.mesh, weights_of(s.normals));
+}
+
+/// No faces: the triangles are made when the curvatures are.
+void use_points(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
+                const Execution& run) {
+  s.u = point_normals(scan, options, s.normals, run);
+  orient(scan, choice, s);
+  s.mesh.origin = scan.origin;
+  s.mesh.vertices = scan.points;
+}
+
+void use(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
+         const Execution& run) {
+  if (has_turned_faces(s.kind)) return use_turned_faces(scan, options, choice, s, run);
+  if (s.kind == SurfaceKind::Umbrella) return use_umbrella(scan, options, choice, s, run);
+  use_points(scan, options, choice, s, run);
 }
 
 /// Points that no face touches have the normals of the point that stands for them.
 void copy_to_twins(Surface& s) {
   for (std::size_t i = 0; i < s.twins.size(); ++i) {
-    if (s.twins[i] != kNoIndex) s.u[i] = s.u[s.twins[i]];
+    if (s.twins[i] != kNoIndex && s.twins[i] != i) s.u[i] = s.u[s.twins[i]];
   }
 }
 
@@ -125,22 +143,23 @@ Surface make_surface(const Scan& scan, const SurfaceOptions& options, const Exec
   if (bounds(scan.points).empty())
     throw Error(ErrorCode::InvalidData,
                 "none of the " + std::to_string(scan.points.size()) + " points is finite: there is nothing to measure");
+  const SurfaceChoice choice = choose_surface(scan, options);
+  const bool alone = triangle_scheme(choice.kind).has_value();
   Surface s;
-  choose_sources(scan, options, s);
-  s.orientation = choose_orientation(scan, options, s);
-  check_orientation(scan, options, s);
-  if (s.kind == SurfaceKind::Faces) {
-    use_faces(scan, options, s, run);
-  } else {
-    use_umbrella(scan, options, s, run);
-  }
-  if (s.mesh.faces.empty())
+  s.kind = choice.kind;
+  s.reason = choice.reason;
+  s.normals = choice.normals;
+  s.orientation = choice.orientation;
+  use(scan, options, choice, s, stage(run, 0.0, 0.9));
+  if (s.mesh.faces.empty() && !alone)
     throw Error(ErrorCode::InvalidData, "no face can be made of the " + std::to_string(scan.points.size()) +
                                             " points: they are too few, or they lie on a line");
   s.u = average_normals(s.mesh, s.u, options.averaging_passes);
   if (options.averaging_passes > 0 || from_faces(s.normals)) copy_to_twins(s);
   count_points(scan, s);
-  s.spacing = median_edge_length(s.mesh);
+  s.spacing = alone ? median_spacing(scan.points) : median_edge_length(s.mesh);
+  if (!scan.is_mesh() && s.agreement.pairs == 0)
+    s.agreement = normal_agreement(scan.points, s.u, {}, stage(run, 0.9, 1.0));
   return s;
 }
 
@@ -152,7 +171,23 @@ double automatic_radius(const Surface& surface) {
   return unit < 1 ? std::round(radius / unit) / std::round(1 / unit) : std::round(radius / unit) * unit;
 }
 
+std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::Uniform:
+      return TriangleScheme::Uniform;
+    case SurfaceKind::Independent:
+      return TriangleScheme::Independent;
+    case SurfaceKind::Hexagram:
+      return TriangleScheme::Hexagram;
+    case SurfaceKind::AveragedHexagram:
+      return TriangleScheme::AveragedHexagram;
+    default:
+      return std::nullopt;
+  }
+}
+
 const char* name(SurfaceKind kind) {
+  if (const auto scheme = triangle_scheme(kind)) return name(*scheme);
   switch (kind) {
     case SurfaceKind::Auto:
       return "auto";
@@ -160,8 +195,15 @@ const char* name(SurfaceKind kind) {
       return "faces";
     case SurfaceKind::Umbrella:
       return "umbrella";
+    case SurfaceKind::Grid:
+      return "grid";
+    case SurfaceKind::Delaunay:
+      return "delaunay";
+    case SurfaceKind::Spinning:
+      return "spinning";
+    default:
+      return "";
   }
-  return "";
 }
 
 const char* name(NormalsKind kind) {
@@ -196,6 +238,8 @@ const char* name(Orientation orientation) {
       return "up";
     case Orientation::Viewpoint:
       return "viewpoint";
+    case Orientation::Consistent:
+      return "mst";
   }
   return "";
 }

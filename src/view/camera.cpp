@@ -30,11 +30,27 @@ double extent(const std::vector<Vec3>& points, int axis) {
   return at(0.995) - low;
 }
 
+/// Whether the points lie in the frame of a depth camera: all within 45 degrees of its z axis, seen from its origin.
+bool in_camera_frame(const Scan& scan) {
+  if (scan.is_mesh() || scan.normals.size() != scan.points.size()) return false;
+  std::size_t towards = 0, away = 0;
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Vec3 x = scan.points[i] + scan.origin;
+    if (!is_finite(x)) continue;
+    if (!(x.z() > 0 && std::abs(x.x()) <= x.z() && std::abs(x.y()) <= x.z())) return false;
+    const double side = x.dot(scan.normals[i]);
+    towards += side < 0;
+    away += side > 0;
+  }
+  return towards > 9 * away;
+}
+
 }  // namespace
 
 Camera automatic_camera(const Scan& scan) {
   const double x = extent(scan.points, 0), y = extent(scan.points, 1), z = extent(scan.points, 2);
   if (z < kLowTerrain * std::sqrt(x * y)) return {-18, 48, 1, UpAxis::Z};
+  if (in_camera_frame(scan)) return {15, 20, 1, UpAxis::NegativeY};
   if (!scan.is_mesh()) return {-35, 22, 1, UpAxis::Z};
   if (y < kLowTerrain * std::sqrt(x * z)) return {-18, 48, 1, UpAxis::Y};
   return {-35, 22, 1, UpAxis::Y};
@@ -46,7 +62,15 @@ namespace {
 
 /// `v` of a world whose z is up, in that of the camera.
 Vec3 turned(const Vec3& v, UpAxis up) {
-  return up == UpAxis::Z ? v : Vec3(v.x(), v.z(), -v.y());
+  switch (up) {
+    case UpAxis::Y:
+      return {v.x(), v.z(), -v.y()};
+    case UpAxis::NegativeY:
+      return {v.x(), -v.z(), v.y()};
+    case UpAxis::Z:
+      break;
+  }
+  return v;
 }
 
 }  // namespace

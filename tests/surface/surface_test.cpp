@@ -70,6 +70,14 @@ TEST(MakeSurface, FittedNormalsPointUpOrToTheScanner) {
   Scan far = hill_scan({500000, 5400000, 100});
   far.viewpoint = Vec3::Zero();
   EXPECT_EQ(make_surface(far, {}).orientation, Orientation::Up);
+  // Nor is it for a tile moved to the origin, which would have been seen from under the ground.
+  Scan tile = hill_scan(Vec3::Zero());
+  for (Vec3& x : tile.points) x += Vec3(15, 15, 4);
+  tile.viewpoint = Vec3::Zero();
+  EXPECT_EQ(make_surface(tile, {}).orientation, Orientation::Up);
+  // In a depth camera's frame it is, however small the object.
+  for (Vec3& x : tile.points) x += Vec3(-15, -15, 100);
+  EXPECT_EQ(make_surface(tile, {}).orientation, Orientation::Viewpoint);
   SurfaceOptions options;
   options.orientation = Orientation::Viewpoint;
   options.viewpoint = Vec3(500000, 5400000, 1000);
@@ -99,6 +107,50 @@ TEST(MakeSurface, DuplicatesGetTheNormalOfThePointThatStandsForThem) {
   }
 }
 
+TEST(MakeSurface, SaysWhyItChose) {
+  EXPECT_EQ(make_surface(sphere_scan(true, true), {}).reason, "the file has faces");
+  SurfaceOptions options;
+  options.surface = SurfaceKind::Delaunay;
+  const Surface s = make_surface(hill_scan(Vec3::Zero()), options);
+  EXPECT_EQ(s.reason, "as asked");
+  EXPECT_EQ(s.kind, SurfaceKind::Delaunay);
+  EXPECT_GE(s.mesh.faces.size(), 2 * 29 * 29u);  // and along the rows that are pushed to and fro
+  EXPECT_EQ(s.orientation, Orientation::Up);
+}
+
+/// Returns of a scanner at 1.8 m height above flat ground: `rings` lasers, each a full turn.
+Scan sweep_scan(int rings, std::size_t missing) {
+  Scan scan;
+  scan.viewpoint = Vec3::Zero();
+  for (int ring = 0; ring < rings; ++ring) {
+    const double distance = 1.8 / std::tan((8.0 + ring) * kPi / 180);
+    for (int i = 0; i < 720; ++i) {
+      const double a = 2 * kPi * i / 720;
+      scan.points.emplace_back(distance * std::cos(a), distance * std::sin(a), -1.8);
+    }
+  }
+  scan.points.insert(scan.points.end(), missing, Vec3::Zero());
+  return scan;
+}
+
+TEST(MakeSurface, TellsASweepByItsReturnsAtTheScanner) {
+  const Surface sweep = make_surface(sweep_scan(16, 300), {});
+  EXPECT_EQ(sweep.kind, SurfaceKind::Spinning);
+  EXPECT_EQ(sweep.normals, NormalsKind::Area);
+  EXPECT_EQ(sweep.at_sensor, 300u);
+  for (std::size_t i = 0; i < 16 * 720; ++i) EXPECT_NEAR(sweep.u[i].z(), 1, 1e-9) << "flat ground, seen from above";
+  EXPECT_EQ(make_surface(sweep_scan(16, 0), {}).kind, SurfaceKind::Umbrella);
+}
+
+TEST(MakeSurface, ClosedCloudsAreOrientedOutwardAndTerrainUpward) {
+  const Surface closed = make_surface(sphere_scan(false, false), {});
+  EXPECT_EQ(closed.orientation, Orientation::Consistent);
+  const Scan sphere = sphere_scan(false, false);
+  for (std::size_t i = 0; i < closed.u.size(); ++i) EXPECT_GT(closed.u[i].dot(sphere.points[i]), 0);
+  EXPECT_EQ(closed.agreement.opposed, 0u);
+  EXPECT_GT(closed.agreement.pairs, 0u);
+}
+
 TEST(MakeSurface, RefusesContradictionsByName) {
   const auto message = [](const Scan& scan, const SurfaceOptions& options) {
     try {
@@ -117,6 +169,14 @@ TEST(MakeSurface, RefusesContradictionsByName) {
   options = {};
   options.orientation = Orientation::Viewpoint;
   EXPECT_NE(message(sphere_scan(false, false), options).find("none is known"), std::string::npos);
+  options = {};
+  options.surface = SurfaceKind::Grid;
+  EXPECT_NE(message(sphere_scan(false, false), options).find("not organised"), std::string::npos);
+  options.surface = SurfaceKind::Spinning;
+  EXPECT_NE(message(sphere_scan(false, false), options).find("place of the scanner"), std::string::npos);
+  options.surface = SurfaceKind::Hexagram;
+  options.averaging_passes = 2;
+  EXPECT_NE(message(sphere_scan(false, false), options).find("no edges"), std::string::npos);
   Scan empty;
   empty.points.assign(5, Vec3::Constant(kNaN));
   EXPECT_NE(message(empty, {}).find("none of the 5 points"), std::string::npos);

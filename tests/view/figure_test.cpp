@@ -318,6 +318,34 @@ TEST_F(FigureTest, TheUpAxisPointsUp) {
   EXPECT_EQ(picture.count(0, half, width, kHeight, blue), 0);
 }
 
+TEST(AutomaticCamera, ADepthCameraSeesItsCloudUpright) {
+  Scan scan;
+  for (int i = 0; i < 100; ++i)
+    scan.points.emplace_back(0.1 * (i % 10) - 0.5, 0.1 * (i / 10) - 0.5, 1 + 0.05 * (i % 7));
+  scan.normals.assign(scan.points.size(), Vec3(0, 0, -1));
+  EXPECT_EQ(automatic_camera(scan).up, UpAxis::NegativeY);
+  scan.normals.assign(scan.points.size(), Vec3(0, 0, 1));  // not seen from the origin
+  EXPECT_EQ(automatic_camera(scan).up, UpAxis::Z);
+}
+
+TEST_F(FigureTest, NegativeYPointsUpSeenFromTheDepthCamera) {
+  scan_ = Scan();  // a wall at z = 2, its upper half (y < 0) red, its left half at x < 0
+  scan_.points = {{-1, -1, 2}, {-1, 0, 2}, {0, -1, 2}, {1, 1, 2}, {1, 0, 2}, {0, 1, 2}};
+  scan_.faces.add(0, 1, 2);
+  scan_.faces.add(3, 4, 5);
+  values_ = {1, 1, 1, -1, -1, -1};
+  options_.shading = Shading::None;
+  options_.camera = Camera{0, 0, 1, UpAxis::NegativeY};
+  const Picture picture = scalar("camera.png");
+  const auto red = [](Rgb c) { return c.r > c.b + 60; };
+  const auto blue = [](Rgb c) { return c.b > c.r + 60; };
+  const int half_x = (kWidth - kStrip) / 2, half_y = kHeight / 2;
+  EXPECT_GT(picture.count(0, half_y, half_x, kHeight, red), 50);
+  EXPECT_EQ(picture.count(half_x, 0, kWidth - kStrip, half_y, red), 0);
+  EXPECT_GT(picture.count(half_x, 0, kWidth - kStrip, half_y, blue), 50);
+  EXPECT_EQ(picture.count(0, half_y, half_x, kHeight, blue), 0);
+}
+
 TEST(DirectionFieldsOfAScan, AreFoundByName) {
   Scan scan;
   scan.points.assign(2, Vec3::Zero());

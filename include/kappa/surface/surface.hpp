@@ -6,20 +6,36 @@
 
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
+#include "kappa/surface/delaunay.hpp"
+#include "kappa/surface/grid.hpp"
+#include "kappa/surface/orientation.hpp"
+#include "kappa/surface/random_triangles.hpp"
+#include "kappa/surface/spinning.hpp"
 #include "kappa/surface/umbrella.hpp"
 
 namespace kappa {
 
 /// Where the faces of a surface come from.
 enum class SurfaceKind {
-  Auto,     ///< Faces if the scan has any, else Umbrella
-  Faces,    ///< those of the scan
-  Umbrella  ///< umbrella_surface of the points
+  Auto,   ///< Faces if the scan has any; Grid if it is organised and has a credible viewpoint; Spinning if it has one,
+          ///< and a field "ring" or points at the viewpoint itself and rings about it; else Umbrella
+  Faces,  ///< those of the scan
+  Umbrella,  ///< umbrella_surface of the points
+  Grid,      ///< grid_surface of an organised cloud
+  Delaunay,  ///< delaunay_surface of the points
+  Spinning,  ///< spinning_surface of a sweep, by its field "ring" if it has one
+  Uniform,   ///< these four: no faces, the curvatures are those of random_triangle_curvatures
+  Independent,
+  Hexagram,
+  AveragedHexagram
 };
+
+/// The scheme of a kind that has no faces: its curvatures are those of `random_triangle_curvatures`.
+std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind);
 
 /// Where the corrected normals come from.
 enum class NormalsKind {
-  Auto,   ///< Input if the scan has normals; else Max on a mesh, Pca on a cloud
+  Auto,   ///< Input if the scan has normals; else Max on a mesh, Area on a sweep, Pca on other clouds
   Input,  ///< those of the scan
   Geometric,
   Area,
@@ -29,13 +45,19 @@ enum class NormalsKind {
 };
 
 /// How the sign of normals is chosen.
+///
+/// The viewpoint of a scan is credible if it lies within ten diagonals of the points; one of (0, 0, 0), which files
+/// hold that know none, only if the cloud is organised or lies within 45 degrees of the z axis, as that of a depth
+/// camera, or else within one diagonal and not below the middle of terrain.
 enum class Orientation {
-  Auto,      ///< Input for the scan's normals, AsFaces on a mesh; for planes fitted to a cloud Viewpoint if one is
-             ///< given or the scan's lies near the points, else Up
-  Input,     ///< as the scan's normals are
-  AsFaces,   ///< the side from which the faces turn counter-clockwise
-  Up,        ///< z not negative
-  Viewpoint  ///< towards the scanner
+  Auto,       ///< Input for the scan's normals, AsFaces for normals from faces; for planes fitted to a cloud Viewpoint
+              ///< if one is given or that of the scan is credible, else Up where most planes are flatter than 45
+              ///< degrees, else Consistent
+  Input,      ///< as the scan's normals are
+  AsFaces,    ///< the side from which the faces turn counter-clockwise
+  Up,         ///< z not negative
+  Viewpoint,  ///< towards the scanner
+  Consistent  ///< orient_consistently
 };
 
 struct SurfaceOptions {
@@ -43,9 +65,13 @@ struct SurfaceOptions {
   NormalsKind normals = NormalsKind::Auto;
   Orientation orientation = Orientation::Auto;
   std::optional<Vec3> viewpoint;  ///< in the coordinates of the data; else that of the scan
-  int neighbours = 16;            ///< of the stars of an umbrella surface
-  int normal_neighbours = 24;     ///< of the fitted planes, the point included
-  int averaging_passes = 0;       ///< see average_normals
+  std::optional<int> neighbours;  ///< of the stars of an umbrella surface (16), or of random triangles (20)
+  int triangles = 100;            ///< of each point for Uniform and Independent
+  GridOptions grid;               ///< cuts of Grid
+  GridOptions spinning = kSpinningCuts;
+  DelaunayOptions delaunay;
+  int normal_neighbours = 24;  ///< of the fitted planes, the point included
+  int averaging_passes = 0;    ///< see average_normals
 };
 
 /// A scan made ready to be measured.
@@ -55,12 +81,16 @@ struct Surface {
   std::vector<Index> twins;  ///< of a cloud: the point that stands for each position (CloudSurface::representative)
   /// What was chosen; never Auto.
   SurfaceKind kind = SurfaceKind::Faces;
+  std::string reason;  ///< why that kind, in a few words
   NormalsKind normals = NormalsKind::Input;
   Orientation orientation = Orientation::Input;
   std::size_t invalid_points = 0;                         ///< position not finite
   std::size_t normalless_points = 0;                      ///< finite, but no usable normal
   std::size_t duplicate_points = 0, starless_points = 0;  ///< see CloudSurface
-  double spacing = kNaN;                                  ///< median length of the edges of the faces
+  std::size_t cut_faces = 0;  ///< of Grid, Spinning and Delaunay: beyond a gap or a depth edge, or grazing
+  std::size_t at_sensor = 0;  ///< see SpinningSweep
+  NormalAgreement agreement;  ///< of the normals of a cloud; no pair if it was not looked at
+  double spacing = kNaN;      ///< median length of the edges of the faces; without faces that to the nearest point
 };
 
 /// Faces and normals of a scan, as the options ask.

@@ -11,11 +11,13 @@
 namespace kappa {
 
 /// The axis that points up in a picture.
-enum class UpAxis { Y, Z };
+/// The axis that points up; NegativeY is that of a depth camera's own frame (x right, y down, z forward).
+enum class UpAxis { Y, Z, NegativeY };
 
 /// Where a figure is seen from. The picture is always filled with the data.
 struct Camera {
-  /// Degrees, growing counter-clockwise seen from above; 0 = from the south (-y, or +z where y is up).
+  /// Degrees, growing counter-clockwise seen from above; 0 = from the south (-y, or +z where y is up, or from
+  /// the depth camera itself, -z, where -y is).
   double azimuth = 0;
   double elevation = 45;  ///< degrees above the horizon, in [-90, 90]
   double zoom = 1;        ///< 1 = all of the data, 2 = twice as large
@@ -23,8 +25,9 @@ struct Camera {
 };
 
 /// The view of a figure that names none. Terrain (low for its extent in plan): oblique, from the south, 45 to 50
-/// degrees up. Anything else: three-quarter view. Up is z for clouds and for whatever is low in z, y for other meshes,
-/// as modellers have it.
+/// degrees up. A cloud in the frame of a depth camera (within 45 degrees of the z axis, normals towards the origin):
+/// from near the camera. Anything else: three-quarter view. Up is z for clouds and for whatever is low in z, y for
+/// other meshes, as modellers have it.
 Camera automatic_camera(const Scan& scan);
 
 enum class Shading {

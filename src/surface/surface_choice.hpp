@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "kappa/surface/surface.hpp"
+
+namespace kappa {
+
+/// What `make_surface` is to do, decided from the options and from what the scan holds.
+struct SurfaceChoice {
+  SurfaceKind kind = SurfaceKind::Faces;       ///< never Auto
+  std::string reason;                          ///< why that kind, in a few words
+  NormalsKind normals = NormalsKind::Input;    ///< never Auto
+  Orientation orientation = Orientation::Up;   ///< Auto: by the slope of the planes, once they are fitted
+  std::optional<Vec3> viewpoint;               ///< relative to the origin of the scan
+};
+
+/// @throws Error InvalidArgument if the options contradict each other or the scan lacks what they ask for.
+SurfaceChoice choose_surface(const Scan& scan, const SurfaceOptions& options);
+
+/// Whether normals of this kind are made of faces.
+bool from_faces(NormalsKind kind);
+
+/// Whether faces of this kind have a side of their own, not that of given normals.
+bool has_turned_faces(SurfaceKind kind);
+
+}  // namespace kappa
