@@ -30,7 +30,7 @@ void declare_segment(CLI::App& command, SegmentArguments& arguments) {
       ->check(CLI::Range(0.0, 1.0));
   command
       .add_option("--min-region", arguments.min_region,
-                  "Regions of a smaller area are merged into a neighbour; default: the disc of the radius")
+                  "Regions of a smaller area are merged into a neighbour; default: the disc of half the radius")
       ->check(CLI::NonNegativeNumber);
 }
 
@@ -55,7 +55,8 @@ SegmentSummary segment(const SegmentArguments& arguments, const Measured& m, con
   SegmentSummary s;
   s.estimated = !arguments.flatness && !arguments.kappa_max;
   s.threshold = choose_threshold(arguments, m, field, run);
-  const RegionOptions options{arguments.min_region.value_or(kPi * field.radius * field.radius)};
+  const double half = 0.5 * field.radius;  // a ball tells apart what is as large as its inner half
+  const RegionOptions options{arguments.min_region.value_or(kPi * half * half)};
   s.segmentation = find_regions(m.surface.mesh, field, classify(field, s.threshold), options, m.surface.twins);
   return s;
 }
