@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/triangle_ball_cases.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -208,6 +209,11 @@ std::vector<BallCase> ball_cases(Family family, std::size_t count, std::uint64_t
     cases.push_back(c);
   }
   return cases;
+}
+
+double distance_rounding(const BallCase& c) {
+  const double farthest = std::max({c.x[0].norm(), c.x[1].norm(), c.x[2].norm()});
+  return 2 * 4 * 0x1p-53 * std::max(1.0, farthest / c.radius);
 }
 
 std::string describe(const BallCase& c) {

@@ -42,6 +42,11 @@ const char* family_name(Family family);
 /// `count` cases of a family, the same for the same seed.
 std::vector<BallCase> ball_cases(Family family, std::size_t count, std::uint64_t seed);
 
+/// What rounding may change of the squared distance of a triangle at contact, over radius^2. The foot of the
+/// perpendicular is a difference of vectors as long as the farthest corner, s: a dot product, a product and a
+/// subtraction leave it off by four units of roundoff of s, and the square of a distance of one radius by twice that.
+double distance_rounding(const BallCase& c);
+
 /// Triangle with the longest edge `longest` along t1, the apex above the fraction `foot` of it at `height` longest
 /// edges along t2, moved so that its point of barycentric coordinates (b1, b2) is at `place`.
 struct TrianglePlan {

@@ -71,8 +71,7 @@ TEST(TriangleMeetsBall, DistanceAgreesWith113Bits) {
     for (const BallCase& c : test::ball_cases(static_cast<Family>(f), 500, 31)) {
       const double expected = static_cast<double>(1 + oracle::distance_excess(c.x, c.radius));
       const double got = distance_sq_to_triangle(c.x) / (c.radius * c.radius);
-      // Corners 1e4 radii away are rounded to 2e-12 radii.
-      EXPECT_NEAR(got, expected, 1e-11 * std::max(1.0, expected)) << test::describe(c);
+      EXPECT_NEAR(got, expected, test::distance_rounding(c) * std::max(1.0, expected)) << test::describe(c);
     }
   }
 }

@@ -71,13 +71,13 @@ double uncertainty(const BallCase& c) {
                              oracle::share_by_clipping(c.x, c.radius * (1 - k4Ulp)).share);
 }
 
-/// Whether emptiness was decided wrongly. Contact may fall either way within 1e-11 of the squared radius: corners 1e4
-/// radii away are themselves rounded to 2e-12 radii.
+/// Whether emptiness was decided wrongly. Contact may fall either way within what rounding leaves of the squared
+/// distance.
 bool wrong_emptiness(const BallCase& c, double got, long double expected) {
   const bool meets = triangle_meets_ball(c.x, c.radius);
   if (expected > 0 && got > 0) return !meets;
   const long double excess = oracle::distance_excess(c.x, c.radius);
-  if (std::abs(excess) <= 1e-11L) return false;
+  if (std::abs(excess) <= test::distance_rounding(c)) return false;
   return meets != (excess < 0) || (excess > 0 && got != 0);
 }
 
@@ -167,9 +167,10 @@ TEST(ShareOracle, AgreesWithQuadrature) {
       // The panels of the quadrature must resolve what the ball holds.
       if (longest > 20 * c.radius || (a.share > 0 && a.share < 1e-4)) continue;
       const oracle::Share b = oracle::share_by_quadrature(c.x, c.radius);
-      EXPECT_NEAR(static_cast<double>(a.share), static_cast<double>(b.share), 1e-8) << test::describe(c);
-      EXPECT_NEAR(static_cast<double>(a.share * a.b1), static_cast<double>(b.share * b.b1), 1e-8);
-      EXPECT_NEAR(static_cast<double>(a.share * a.b2), static_cast<double>(b.share * b.b2), 1e-8);
+      constexpr double kBound = 1e-11;  // ten times the tolerance of the quadrature
+      EXPECT_NEAR(static_cast<double>(a.share), static_cast<double>(b.share), kBound) << test::describe(c);
+      EXPECT_NEAR(static_cast<double>(a.share * a.b1), static_cast<double>(b.share * b.b1), kBound);
+      EXPECT_NEAR(static_cast<double>(a.share * a.b2), static_cast<double>(b.share * b.b2), kBound);
     }
   }
 }

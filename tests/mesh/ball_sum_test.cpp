@@ -8,6 +8,7 @@
 #include <random>
 
 #include "kappa/core/error.hpp"
+#include "support/ball_sums.hpp"
 #include "support/oracles.hpp"
 #include "support/shapes.hpp"
 
@@ -16,17 +17,9 @@ namespace {
 
 using shapes::Shape;
 using shapes::Specimen;
+using test::sums;
 
 constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
-
-std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
-                               BallDefinition ball, const Execution& run = {}) {
-  std::vector<BallMeasures> out(centres.size() * radii.size());
-  balls.sum(centres, radii, ball, run, [&](std::size_t query, const BallMeasures* per_radius) {
-    std::copy_n(per_radius, radii.size(), out.begin() + static_cast<std::ptrdiff_t>(query * radii.size()));
-  });
-  return out;
-}
 
 /// Vertices and random places near the mesh.
 std::vector<Vec3> places(const Mesh& mesh, std::size_t count, std::uint64_t seed) {
@@ -83,28 +76,49 @@ double difference(const MeasureSum& a, const MeasureSum& b, const oracle::BallFo
   return oracle::relative_error(a, expected);
 }
 
+/// A ball, for the oracle.
+struct Ball {
+  Vec3 centre;
+  double radius;
+  BallDefinition definition;
+};
+
+/// Part of the area in a ball that moving its sphere by the rounding of the midpoints adds or takes: 16 units of
+/// roundoff of the farthest coordinate. It exceeds 1e-12 only where the ball all but misses the surface.
+double uncertainty(const Shape& s, const Ball& b, double area) {
+  double farthest = b.radius;
+  for (const Vec3& x : s.mesh.vertices) farthest = std::max(farthest, x.norm());
+  const double shift = 16 * 0x1p-53 * farthest, step = 8 * shift;  // wide enough for the difference to be seen
+  const auto area_at = [&](double radius) {
+    return oracle::ball_forms(s.mesh, s.normals, b.centre, radius, b.definition).area;
+  };
+  return static_cast<double>((area_at(b.radius + step) - area_at(b.radius - step)) / area) * shift / (2 * step);
+}
+
 void expect_unchanged_by_subdivision(const Shape& s, const std::vector<double>& radii) {
   const Shape fine = shapes::subdivided(s);
   const BruteForceBallSum coarse_balls(measure_triangles(s.mesh, s.normals));
   const BruteForceBallSum fine_balls(measure_triangles(fine.mesh, fine.normals));
-  const std::vector<Vec3> centres = places(s.mesh, 20, 6);
+  const std::vector<Vec3> centres = places(s.mesh, 100, 6);
   double fraction_change = 0;
-  for (const BallDefinition ball : kBalls) {
-    const auto coarse = sums(coarse_balls, centres, radii, ball), split = sums(fine_balls, centres, radii, ball);
+  std::size_t uncertain = 0;
+  for (const BallDefinition definition : kBalls) {
+    const auto coarse = sums(coarse_balls, centres, radii, definition),
+               split = sums(fine_balls, centres, radii, definition);
     for (std::size_t i = 0; i < coarse.size(); ++i) {
-      const oracle::BallForms scale =
-          oracle::ball_forms(s.mesh, s.normals, centres[i / radii.size()], radii[i % radii.size()], ball);
-      // A ball that barely touches holds so little that the rounding of one share shows in it.
-      const double radius = radii[i % radii.size()];
-      if (scale.area < 1e-3L * radius * radius) continue;
+      const Ball ball{centres[i / radii.size()], radii[i % radii.size()], definition};
+      const oracle::BallForms scale = oracle::ball_forms(s.mesh, s.normals, ball.centre, ball.radius, definition);
       const double change = difference(split[i].sum, coarse[i].sum, scale);
-      if (ball == BallDefinition::AreaFraction) {
+      if (definition == BallDefinition::AreaFraction) {
         fraction_change = std::max(fraction_change, change);
-      } else {
-        EXPECT_LE(change, 1e-12) << centres[i / radii.size()].transpose() << ' ' << radii[i % radii.size()];
+      } else if (change > 1e-12) {
+        ++uncertain;
+        EXPECT_LE(change, 1e-12 + uncertainty(s, ball, static_cast<double>(scale.area)))
+            << ball.centre.transpose() << ' ' << ball.radius;
       }
     }
   }
+  EXPECT_LE(uncertain, 1U) << "of " << centres.size() * radii.size() << " balls";
   EXPECT_GT(fraction_change, 1e-6) << "the area fraction does depend on the faces: this test could not fail";
 }
 

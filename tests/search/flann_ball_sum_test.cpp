@@ -12,45 +12,20 @@
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
+#include "support/ball_sums.hpp"
 #include "support/shapes.hpp"
 
 namespace kappa {
 namespace {
 
 using shapes::Shape;
+using test::sums;
 
 constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
 
-std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
-                               BallDefinition ball, const Execution& run = {}) {
-  std::vector<BallMeasures> out(centres.size() * radii.size());
-  balls.sum(centres, radii, ball, run, [&](std::size_t query, const BallMeasures* per_radius) {
-    std::copy_n(per_radius, radii.size(), out.begin() + static_cast<std::ptrdiff_t>(query * radii.size()));
-  });
-  return out;
-}
-
-/// Sum of the absolute values of what every triangle can add: the scale that rounding is measured by.
-MeasureSum scale_of(const MeasuredTriangles& t) {
-  MeasureSum scale;
-  for (const MeasureSum& m : t.measures) {
-    scale.area += m.area;
-    scale.mu0 += std::abs(m.mu0);
-    scale.mu2 += std::abs(m.mu2);
-    for (std::size_t i = 0; i < 6; ++i) scale.mu_sym[i] += std::abs(m.mu_sym[i]);
-  }
-  return scale;
-}
-
-void expect_equal(const BallMeasures& a, const BallMeasures& b, const MeasureSum& scale, const std::string& what) {
-  // Both add the same terms in another order: a few thousand roundings of 1e-16.
-  constexpr double kRounding = 1e-12;
-  EXPECT_EQ(a.face_count, b.face_count) << what;
-  EXPECT_NEAR(a.sum.area, b.sum.area, kRounding * scale.area) << what;
-  EXPECT_NEAR(a.sum.mu0, b.sum.mu0, kRounding * scale.mu0) << what;
-  EXPECT_NEAR(a.sum.mu2, b.sum.mu2, kRounding * scale.mu2) << what;
-  for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(a.sum.mu_sym[i], b.sum.mu_sym[i], kRounding * scale.mu_sym[i]) << what << " entry " << i;
+void expect_equal(const BallMeasures& a, const test::ScaledSum& b, const std::string& what) {
+  EXPECT_EQ(a.face_count, b.ball.face_count) << what;
+  EXPECT_LE(test::relative_error(a.sum, b), 1e-12) << what;
 }
 
 /// Every vertex and places between, so that balls of every size meet every part.
@@ -69,14 +44,13 @@ TEST(FlannBallSum, EqualsBruteForceOnTheZoo) {
   const std::vector<double> radii = {0.05, 0.3, 1.0, 4.0, 2e4};
   for (const shapes::Specimen& specimen : shapes::zoo()) {
     const MeasuredTriangles triangles = measure_triangles(specimen.mesh, specimen.normals);
-    const MeasureSum scale = scale_of(triangles);
     const FlannBallSum flann(triangles);
-    const BruteForceBallSum brute(triangles);
     const std::vector<Vec3> centres = places(specimen.mesh, 40);
     for (const BallDefinition ball : kBalls) {
-      const auto fast = sums(flann, centres, radii, ball), slow = sums(brute, centres, radii, ball);
+      const auto fast = sums(flann, centres, radii, ball);
+      const auto slow = test::brute_force(triangles, centres, radii, ball);
       for (std::size_t i = 0; i < fast.size(); ++i)
-        expect_equal(fast[i], slow[i], scale, specimen.name + " query " + std::to_string(i));
+        expect_equal(fast[i], slow[i], specimen.name + " query " + std::to_string(i));
     }
   }
 }
@@ -84,27 +58,28 @@ TEST(FlannBallSum, EqualsBruteForceOnTheZoo) {
 TEST(FlannBallSum, EqualsBruteForceOnTorusAtEveryVertexAndSmallBalls) {
   const Shape torus = shapes::torus(3, 1, 40, 24);
   const MeasuredTriangles triangles = measure_triangles(torus.mesh, torus.normals);
-  const MeasureSum scale = scale_of(triangles);
   const std::vector<double> radii = {0.1, 0.45, 0.9, 2.5, 9.0};
   const FlannBallSum flann(triangles);
-  const BruteForceBallSum brute(triangles);
   for (const BallDefinition ball : kBalls) {
     const auto fast = sums(flann, torus.mesh.vertices, radii, ball);
-    const auto slow = sums(brute, torus.mesh.vertices, radii, ball);
-    for (std::size_t i = 0; i < fast.size(); ++i) expect_equal(fast[i], slow[i], scale, std::to_string(i));
+    const auto slow = test::brute_force(triangles, torus.mesh.vertices, radii, ball);
+    for (std::size_t i = 0; i < fast.size(); ++i) expect_equal(fast[i], slow[i], std::to_string(i));
   }
 }
 
 TEST(FlannBallSum, RadiiTogetherEqualRadiiAlone) {
   const Shape sphere = shapes::sphere(1, 4);
   const FlannBallSum flann(measure_triangles(sphere.mesh, sphere.normals));
-  const MeasureSum scale = scale_of(flann.triangles());
   const std::vector<double> radii = {0.8, 0.1, 0.3};
   const auto together = sums(flann, sphere.mesh.vertices, radii, BallDefinition::ExactDensity);
   for (std::size_t r = 0; r < radii.size(); ++r) {
     const auto alone = sums(flann, sphere.mesh.vertices, {radii[r]}, BallDefinition::ExactDensity);
-    for (std::size_t i = 0; i < alone.size(); ++i)
-      expect_equal(together[i * radii.size() + r], alone[i], scale, std::to_string(radii[r]));
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      const BallMeasures &a = together[i * radii.size() + r], &b = alone[i];
+      EXPECT_EQ(a.face_count, b.face_count) << radii[r];
+      EXPECT_NEAR(a.sum.mu0, b.sum.mu0, 1e-12 * b.sum.area) << radii[r];
+      EXPECT_NEAR((a.sum.tensor() - b.sum.tensor()).norm(), 0, 1e-12 * b.sum.area) << radii[r];
+    }
   }
 }
 

@@ -28,7 +28,7 @@ struct Share {
 /// over longest edge down to 1e-11.
 Share share_by_clipping(const std::array<Vec3, 3>& x, double radius);
 
-/// The same by adaptive Simpson quadrature of the chords parallel to the edge x0 x1, to about 1e-9; slow.
+/// The same by adaptive Simpson quadrature of the chords parallel to the edge x0 x1, to a tolerance of 1e-12; slow.
 Share share_by_quadrature(const std::array<Vec3, 3>& x, double radius);
 
 /// Share of the parameter simplex for corners on one line or in one point: the simplex clipped by the two half-planes

@@ -249,7 +249,7 @@ Share share_by_quadrature(const std::array<Vec3, 3>& x, double radius) {
   for (int i = 0; i < kPanels; ++i) {
     const long double from = static_cast<long double>(i) / kPanels, to = static_cast<long double>(i + 1) / kPanels;
     const Panel p{from, to, f(from), f((from + to) / 2), f(to)};
-    const Vector3 s = refine(f, p, simpson(to - from, p.a, p.m, p.b), 1e-10L / kPanels, 24);
+    const Vector3 s = refine(f, p, simpson(to - from, p.a, p.m, p.b), 1e-12L / kPanels, 30);
     total.m += 2 * s[0];
     total.m1 += 2 * s[1];
     total.m2 += 2 * s[2];

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "kappa/mesh/ball_sum.hpp"
+
+/// Ball sums as the tests of every engine compare them.
+namespace kappa::test {
+
+/// The measures of all balls, those of one centre together, in the order of the radii.
+std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
+                               BallDefinition ball, const Execution& run = {});
+
+/// A sum with the sum of the absolute values of what every triangle adds to it.
+struct ScaledSum {
+  BallMeasures ball;
+  MeasureSum scale;
+};
+
+/// The same by going through all triangles for every ball.
+std::vector<ScaledSum> brute_force(const MeasuredTriangles& triangles, const std::vector<Vec3>& centres,
+                                   const std::vector<double>& radii, BallDefinition ball);
+
+/// Largest difference of `got` in units of the sums of absolute values in that ball, those of the tensor's entries
+/// together, because a single one may vanish.
+double relative_error(const MeasureSum& got, const ScaledSum& expected);
+
+}  // namespace kappa::test
