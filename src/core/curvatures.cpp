@@ -40,27 +40,43 @@ void tangent_basis(const Vec3& u, Vec3& t1, Vec3& t2) {
   t2 = Vec3(b, sign + u.y() * u.y() * a, -u.y());
 }
 
-Curvatures curvatures(const MeasureSum& m, const Vec3& u) {
-  Curvatures k;
+CurvatureRatios curvature_ratios(const MeasureSum& m, const Vec3& u) {
+  CurvatureRatios ratios;
   const double length = u.norm();
-  if (!all_finite(m) || !std::isfinite(length) || length == 0) return k;
+  if (!all_finite(m) || !std::isfinite(length) || length == 0) return ratios;
   if (std::abs(m.mu0) <= kDegenerateArea * m.area) {
-    k.status = PointStatus::Degenerate;
-    return k;
+    ratios.status = PointStatus::Degenerate;
+    return ratios;
   }
   Vec3 t1, t2;
   tangent_basis(u / length, t1, t2);
   const Mat3 second_form = m.tensor() / -m.mu0;
   const Vec3 s1 = second_form * t1, s2 = second_form * t2;
-  const Eigen2 e = eigen_symmetric(t1.dot(s1), t1.dot(s2), t2.dot(s2));
-  k.mean = 0.5 * m.mu1() / m.mu0;
-  k.gaussian = m.mu2 / m.mu0;
+  ratios.mean = 0.5 * m.mu1() / m.mu0;
+  ratios.gaussian = m.mu2 / m.mu0;
+  ratios.form = {t1.dot(s1), t1.dot(s2), t2.dot(s2)};
+  ratios.status = PointStatus::Valid;
+  return ratios;
+}
+
+Curvatures curvatures(const CurvatureRatios& ratios, const Vec3& u) {
+  Curvatures k;
+  k.status = ratios.status;
+  if (ratios.status != PointStatus::Valid) return k;
+  Vec3 t1, t2;
+  tangent_basis(u / u.norm(), t1, t2);
+  const Eigen2 e = eigen_symmetric(ratios.form[0], ratios.form[1], ratios.form[2]);
+  k.mean = ratios.mean;
+  k.gaussian = ratios.gaussian;
   k.k_min = e.low;
   k.k_max = e.high;
   k.dir_min = (e.dir_low.x() * t1 + e.dir_low.y() * t2).normalized();
   k.dir_max = (e.dir_high.x() * t1 + e.dir_high.y() * t2).normalized();
-  k.status = PointStatus::Valid;
   return k;
+}
+
+Curvatures curvatures(const MeasureSum& m, const Vec3& u) {
+  return curvatures(curvature_ratios(m, u), u);
 }
 
 Curvatures curvatures(const Measures& m, const Vec3& u) {

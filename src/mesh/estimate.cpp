@@ -2,12 +2,14 @@
 #include "kappa/mesh/estimate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/measure_tree.hpp"
+#include "kappa/mesh/orders.hpp"
 #include "kappa/mesh/statistics.hpp"
 
 namespace kappa {
@@ -19,21 +21,60 @@ bool usable(const Vec3& x, const Vec3& u) {
   return is_finite(x) && is_finite(u) && !u.isZero(0);
 }
 
-/// The sample of a point, from the measures of its ball; `disc_area` = pi radius^2, 0 at radius 0.
-CurvatureSample make_sample(const BallMeasures& ball, const Vec3& u, double disc_area) {
+CurvatureRatios ratios_of(const BallMeasures& ball, const Vec3& u) {
+  if (ball.face_count > 0) return curvature_ratios(ball.sum, u);
+  CurvatureRatios empty;
+  empty.status = PointStatus::Empty;
+  return empty;
+}
+
+/// The sample of a point from the measures of the balls of its order, the first of `radius`, 0 at a vertex limit.
+CurvatureSample make_sample(const BallMeasures* const* balls, int order, double radius, const Vec3& u) {
+  std::array<CurvatureRatios, kMaxOrder> ratios;
+  for (int b = 0; b < order; ++b) ratios[static_cast<std::size_t>(b)] = ratios_of(*balls[b], u);
+  const OrderedRatios of_order = extrapolate(ratios.data(), order);
+  const BallMeasures& ball = *balls[0];
   CurvatureSample s;
+  s.k = curvatures(of_order.ratios, u);
+  s.std_error = of_order.std_error;
+  s.radius = radius;
+  s.order = order;
   s.face_count = ball.face_count;
   s.area = ball.sum.area;
   s.mu0 = ball.sum.mu0;
   s.mu1 = ball.sum.mu1();
   s.mu2 = ball.sum.mu2;
-  if (disc_area > 0) s.coverage = s.area / disc_area;
-  if (ball.face_count == 0) {
-    s.k.status = PointStatus::Empty;
-  } else {
-    s.k = curvatures(ball.sum, u);
-  }
+  if (radius > 0) s.coverage = s.area / (kPi * radius * radius);
   return s;
+}
+
+/// The different balls that radii of one order need, and which of them each radius is made of.
+struct BallPlan {
+  std::vector<double> radii;                              ///< each once
+  std::vector<std::array<std::size_t, kMaxOrder>> balls;  ///< of each radius asked for
+
+  BallPlan(const std::vector<double>& asked, int order) {
+    for (const double radius : asked) {
+      std::array<std::size_t, kMaxOrder> of_radius{};
+      auto to = of_radius.begin();
+      for (const double r : order_radii(radius, order)) *to++ = place_of(r);
+      balls.push_back(of_radius);
+    }
+  }
+
+ private:
+  std::size_t place_of(double radius) {
+    const auto found = std::find(radii.begin(), radii.end(), radius);
+    if (found != radii.end()) return static_cast<std::size_t>(found - radii.begin());
+    radii.push_back(radius);
+    return radii.size() - 1;
+  }
+};
+
+void check_count(std::size_t normals, std::size_t points, const char* what) {
+  if (normals == points) return;
+  throw Error(ErrorCode::InvalidArgument, std::to_string(normals) + " normals for " + std::to_string(points) + " " +
+                                              what + "s: give one a " + what);
 }
 
 /// Adds triangle `t` as a vertex sees it in the limit of vanishing balls: its density at the vertex, by its angle.
@@ -86,37 +127,70 @@ FieldSummary::Percentiles percentiles(std::vector<double>& values) {
 
 void validate(const CurvatureOptions& options) {
   if (options.radii.empty()) throw Error(ErrorCode::InvalidArgument, "no radius is given: give at least one");
+  check_order(options.order);
   for (const double radius : options.radii) {
     if (!(radius >= 0 && std::isfinite(radius)))
       throw Error(ErrorCode::InvalidArgument,
                   "radius = " + std::to_string(radius) + ": give a finite radius, 0 or more, in units of the data");
+    if (radius == 0 && options.order > 1)
+      throw Error(ErrorCode::InvalidArgument,
+                  "order = " + std::to_string(options.order) +
+                      " at radius 0: bias is cancelled between balls; give a positive radius");
   }
+}
+
+std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
+                                                const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run) {
+  check_count(u.size(), centres.size(), "centre");
+  check_order(options.order);
+  std::vector<CurvatureField> fields;
+  for (const double radius : options.radii)
+    fields.push_back({radius, std::vector<CurvatureSample>(centres.size()), options.order});
+  const BallPlan plan(options.radii, options.order);
+  balls.sum(centres, plan.radii, options.ball, run, [&](std::size_t q, const BallMeasures* measures) {
+    if (!usable(centres[q], u[q])) return;
+    for (std::size_t r = 0; r < fields.size(); ++r) {
+      std::array<const BallMeasures*, kMaxOrder> of_radius{};
+      for (std::size_t b = 0; b < of_radius.size(); ++b) of_radius[b] = measures + plan.balls[r][b];
+      fields[r].samples[q] = make_sample(of_radius.data(), options.order, options.radii[r], u[q]);
+    }
+  });
+  return fields;
 }
 
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
                                                 const Normals& u, const std::vector<double>& radii, BallDefinition ball,
                                                 const Execution& run) {
-  if (u.size() != centres.size())
-    throw Error(ErrorCode::InvalidArgument, std::to_string(u.size()) + " normals for " +
-                                                std::to_string(centres.size()) + " centres: give one a centre");
-  std::vector<CurvatureField> fields(radii.size());
-  for (std::size_t r = 0; r < radii.size(); ++r) {
-    fields[r].radius = radii[r];
-    fields[r].samples.resize(centres.size());
+  CurvatureOptions options;
+  options.radii = radii;
+  options.ball = ball;
+  return estimate_curvatures(balls, centres, u, options, run);
+}
+
+std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run) {
+  validate(options);
+  const MeasuredTriangles& triangles = balls.triangles();
+  check_count(u.size(), triangles.vertices, "vertex");
+  CurvatureOptions positive = options;
+  auto& radii = positive.radii;
+  radii.erase(std::remove(radii.begin(), radii.end(), 0.0), radii.end());
+  std::vector<CurvatureField> of_balls;
+  if (!radii.empty()) {
+    const auto end = triangles.x.begin() + static_cast<std::ptrdiff_t>(triangles.vertices);
+    of_balls = estimate_curvatures(balls, {triangles.x.begin(), end}, u, positive, run);
   }
-  balls.sum(centres, radii, ball, run, [&](std::size_t q, const BallMeasures* measures) {
-    if (!usable(centres[q], u[q])) return;
-    for (std::size_t r = 0; r < radii.size(); ++r)
-      fields[r].samples[q] = make_sample(measures[r], u[q], kPi * radii[r] * radii[r]);
-  });
+  std::vector<CurvatureField> fields;
+  auto next = of_balls.begin();
+  for (const double radius : options.radii)
+    fields.push_back(radius > 0 ? std::move(*next++) : estimate_at_vertices(triangles, u, options.vertex_limit, run));
   return fields;
 }
 
 CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const Normals& u, VertexLimit limit,
                                     const Execution& run) {
-  if (u.size() != triangles.vertices)
-    throw Error(ErrorCode::InvalidArgument, std::to_string(u.size()) + " normals for " +
-                                                std::to_string(triangles.vertices) + " vertices: give one a vertex");
+  check_count(u.size(), triangles.vertices, "vertex");
   CurvatureField field;
   field.samples.resize(u.size());
   std::vector<BallMeasures> sums(u.size());
@@ -127,7 +201,8 @@ CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const No
   }
   parallel_for(u.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v) {
-      if (usable(triangles.x[v], u[v])) field.samples[v] = make_sample(sums[v], u[v], 0.0);
+      const BallMeasures* const star = &sums[v];
+      if (usable(triangles.x[v], u[v])) field.samples[v] = make_sample(&star, 1, 0.0, u[v]);
     }
   });
   return field;
@@ -137,17 +212,7 @@ std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals&
                                                 const Execution& run) {
   validate(options);
   const MeasureTree balls(measure_triangles(mesh, u, options.quads, stage(run, 0.0, 0.1)));
-  std::vector<double> radii;
-  std::copy_if(options.radii.begin(), options.radii.end(), std::back_inserter(radii), [](double r) { return r > 0; });
-  std::vector<CurvatureField> of_balls =
-      estimate_curvatures(balls, mesh.vertices, u, radii, options.ball, stage(run, 0.1, 1.0));
-  std::vector<CurvatureField> fields;
-  auto next = of_balls.begin();
-  for (const double radius : options.radii) {
-    fields.push_back(radius > 0 ? std::move(*next++)
-                                : estimate_at_vertices(balls.triangles(), u, options.vertex_limit));
-  }
-  return fields;
+  return estimate_curvatures(balls, u, options, stage(run, 0.1, 1.0));
 }
 
 FieldSummary summarise(const CurvatureField& field) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "kappa/core/measures.hpp"
 
 namespace kappa {
@@ -25,6 +27,22 @@ struct Curvatures {
 
 /// Ratio of |mu0| to the area below which a ball is degenerate.
 inline constexpr double kDegenerateArea = 1e-12;
+
+/// Ratios of the measures of a ball, of which its curvatures are functions. Linear combinations of those of several
+/// balls around one point have a meaning, those of eigenvalues have not.
+struct CurvatureRatios {
+  double mean = kNaN;      ///< mu1 / (2 mu0)
+  double gaussian = kNaN;  ///< mu2 / mu0
+  /// Second form -T^T sym(mu_xy) T / mu0 in the basis (t1, t2) of `tangent_basis`: 11, 12, 22.
+  std::array<double, 3> form = {kNaN, kNaN, kNaN};
+  PointStatus status = PointStatus::Invalid;  ///< all values are NaN unless Valid
+};
+
+/// Ratios of the measures of a ball or a face with the corrected normal `u` there; statuses as of `curvatures`.
+CurvatureRatios curvature_ratios(const MeasureSum& m, const Vec3& u);
+
+/// Curvatures that have these ratios at a point of normal `u`.
+Curvatures curvatures(const CurvatureRatios& ratios, const Vec3& u);
 
 /// Curvatures from the measures of a ball or a face and the corrected unit normal `u` there:
 /// mean = mu1 / (2 mu0), gaussian = mu2 / mu0, (k, dir) = eigenpairs of -T^T sym(mu_xy) T / mu0 with

@@ -16,12 +16,16 @@ struct CurvatureSample {
   double area = kNaN;                         ///< of the faces in the ball, un-corrected
   double coverage = kNaN;                     ///< area / (pi radius^2), falls at borders and holes; NaN at radius 0
   Index face_count = 0;                       ///< triangles met, parts of polygons counting singly
+  double std_error = kNaN;                    ///< spread between orders, 1/length (see `extrapolate`); NaN at order 1
+  double radius = kNaN;  ///< of the ball that the measures are of, the largest of the order's; NaN where invalid
+  int order = 0;         ///< 0 where invalid
 };
 
 /// Curvature at every vertex or point, for one radius.
 struct CurvatureField {
   double radius = 0;
   std::vector<CurvatureSample> samples;
+  int order = 1;
 };
 
 /// What the measures at radius 0 of a vertex are.
@@ -36,16 +40,30 @@ struct CurvatureOptions {
   BallDefinition ball = BallDefinition::ExactDensity;
   QuadMeasures quads = QuadMeasures::Split;
   VertexLimit vertex_limit = VertexLimit::Star;
+  /// Order of the bias that is cancelled, 1 (none) to 3, see `extrapolate`. Orders 2 and 3 need balls: no radius 0.
+  int order = 1;
 };
 
-/// @throws Error InvalidArgument if there is no radius or one is negative or not finite.
+/// @throws Error InvalidArgument if there is no radius, one is negative or not finite, the order is not 1 to 3, or is
+/// above 1 beside a radius 0.
 void validate(const CurvatureOptions& options);
 
-/// Curvatures of the balls around `centres`, with the corrected normals `u` there, one field a radius.
-/// A centre or normal that is not finite, or a zero normal, gives PointStatus::Invalid.
-/// @throws Error InvalidArgument if sizes differ or a radius is not positive.
+/// Curvatures of the balls around `centres`, with the corrected normals `u` there, one field a radius; all balls of a
+/// centre, of all radii and orders, are summed at once. A centre or normal that is not finite, or a zero normal, gives
+/// PointStatus::Invalid; at orders above 1, so does each status of the balls: see `extrapolate`.
+/// @throws Error InvalidArgument if sizes differ, a radius is not positive, or as `validate` does.
+std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
+                                                const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run = {});
+
+/// The same at order 1.
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
                                                 const Normals& u, const std::vector<double>& radii, BallDefinition ball,
+                                                const Execution& run = {});
+
+/// The same at the vertices of the mesh that the triangles were made of, where a radius may be 0.
+/// @throws Error InvalidArgument if u.size() is not their number, or as `validate` does.
+std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run = {});
 
 /// Curvatures at radius 0 at the vertices of the mesh that the triangles were made of; no ball, so no coverage.

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kappa/mesh/estimate.hpp"
+#include "kappa/shapes/analytic.hpp"
+
+/// Surfaces with known curvature that the tables of docs/accuracy.md are about.
+namespace kappa::experiments {
+
+struct Subject {
+  Mesh mesh;
+  Normals u;                         ///< corrected normals that are measured with
+  std::vector<TrueCurvature> truth;  ///< at the vertices
+};
+
+/// Torus R = 3, r = 1 of n x n vertices with its true normals.
+Subject torus(int n);
+
+/// The same with every vertex moved within a ball of `amount` x mean edge; plain mean normals of the faces, averaged
+/// `passes` times; truth of the vertices before.
+Subject noisy_torus(int n, double amount, int passes, std::uint64_t seed = 1);
+
+/// Goursat's surface by marching cubes of step h with its true normals.
+Subject goursat(double h);
+
+/// Umbrella surface (16 neighbours) of a published cloud with exact normals: "torus_010000", "goursat_010000",
+/// "torus-lidar", read from the folder of clouds. With `noise` > 0 each point is moved by a normal deviate of that
+/// length along its normal and the normals are fitted to planes of 24 neighbours.
+Subject cloud(const std::string& name, double noise = 0);
+
+/// Root mean square errors over the valid samples.
+struct Errors {
+  double mean = 0, gaussian = 0, k_min = 0, k_max = 0;
+  double max_mean = 0;
+  std::size_t missing = 0;
+};
+Errors errors(const CurvatureField& field, const std::vector<TrueCurvature>& truth);
+
+}  // namespace kappa::experiments
