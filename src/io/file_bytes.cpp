@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "file_bytes.hpp"
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -47,15 +52,62 @@ void check_file(const std::string& path) {
   }
 }
 
+/// A file mapped for reading as long as this lives.
+class FileMap {
+ public:
+  explicit FileMap(const std::string& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (file_ < 0 || ::fstat(file_, &status_) != 0) fail(path, "opened");
+    if (size() == 0) return;
+    begin_ = ::mmap(nullptr, size(), PROT_READ, MAP_PRIVATE, file_, 0);
+    if (begin_ == MAP_FAILED) fail(path, "mapped into memory");
+    ::madvise(begin_, size(), MADV_SEQUENTIAL);
+  }
+  ~FileMap() {
+    if (begin_) ::munmap(begin_, size());
+    ::close(file_);
+  }
+  FileMap(const FileMap&) = delete;
+  FileMap& operator=(const FileMap&) = delete;
+
+  std::size_t size() const { return static_cast<std::size_t>(status_.st_size); }
+  std::string_view bytes() const { return {static_cast<const char*>(begin_), size()}; }
+
+  void done_before(std::size_t end) const {
+    const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    if (begin_ && end >= page) ::madvise(begin_, end / page * page, MADV_DONTNEED);
+  }
+
+  bool is_unchanged() const {
+    struct stat now;
+    return ::fstat(file_, &now) == 0 && now.st_size == status_.st_size &&
+           now.st_mtim.tv_sec == status_.st_mtim.tv_sec && now.st_mtim.tv_nsec == status_.st_mtim.tv_nsec;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& path, const char* what) {
+    const std::string reason = std::strerror(errno);
+    if (file_ >= 0) ::close(file_);
+    throw Error(ErrorCode::FileNotFound, "'" + path + "' cannot be " + what + ": " + reason);
+  }
+
+  int file_;
+  struct stat status_ = {};
+  void* begin_ = nullptr;
+};
+
+void FileBytes::done_before(std::size_t end) const {
+  if (map) map->done_before(end);
+}
+
 FileBytes load_file(const std::string& path) {
   check_kind(path);
-  std::ifstream in = open(path);
-  FileBytes file{path, std::string(fs::file_size(path), '\0')};
-  in.read(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
-  if (static_cast<std::size_t>(in.gcount()) != file.bytes.size()) {
-    throw Error(ErrorCode::FileNotFound, "'" + path + "' cannot be read to its end: " + std::strerror(errno));
-  }
-  return file;
+  const auto map = std::make_shared<const FileMap>(path);
+  return {path, map->bytes(), map};
+}
+
+void check_unchanged(const FileBytes& file) {
+  if (!file.map || file.map->is_unchanged()) return;
+  refuse(file.path, "was changed while it was read: wait until it is complete and read it again");
 }
 
 std::string extension_of(const std::string& path) {

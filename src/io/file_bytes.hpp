@@ -2,26 +2,41 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace kappa::io {
 
-/// A file in memory, with its name for messages.
+class FileMap;
+
+/// The bytes of a file, with its name for messages.
 struct FileBytes {
   std::string path;
-  std::string bytes;
+  std::string_view bytes;
+  std::shared_ptr<const FileMap> map = nullptr;  ///< that the bytes are in; null if they are somebody else's
 
-  std::string_view from(std::size_t offset) const { return std::string_view(bytes).substr(offset); }
+  std::string_view from(std::size_t offset) const { return bytes.substr(offset); }
+  /// Says that no byte before `end` will be read again soon, so that they need no memory.
+  void done_before(std::size_t end) const;
 };
 
 /// @throws Error FileNotFound if the file cannot be opened, FileFormat if it is not a regular file, or a
 /// Git-LFS pointer in place of the data.
 void check_file(const std::string& path);
 
-/// Reads a whole file.
+/// Maps a whole file into memory: pages are read when they are touched, and can be given back (done_before).
+///
+/// A file that others make longer is read to the length that it had. One that they make shorter (truncate, or write
+/// anew under the same name) is refused by `check_unchanged` if it was still long enough for what was touched; else the
+/// system ends the process with SIGBUS, as for any program that maps files. A file that is replaced by renaming, as all
+/// good writers do and ours does, is safe. So is the result: readers copy what they keep, and the map ends with the
+/// reading.
 /// @throws Error FileNotFound if it cannot be read.
 FileBytes load_file(const std::string& path);
+
+/// @throws Error FileFormat if the file has changed in length or time since it was mapped.
+void check_unchanged(const FileBytes& file);
 
 /// Lower-case extension of a file name, with the dot.
 std::string extension_of(const std::string& path);

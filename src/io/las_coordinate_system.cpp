@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a scan is in degrees.
+#include "las_coordinate_system.hpp"
+
 #include <cmath>
 #include <optional>
 
 #include "kappa/io/las.hpp"
+
 #include "las_bytes.hpp"
 
 namespace kappa {
 
 namespace {
 
-constexpr std::uint16_t kWkt = 2112, kGeoKeys = 34735;
+using io::kGeoKeys;
+using io::kWkt;
+
 // GeoTIFF: key of the kind of coordinates, and its values.
 constexpr std::uint16_t kModelType = 1024, kProjected = 1, kGeographic = 2, kGeocentric = 3;
 // GeoTIFF: keys of a geographic and of a projected system, which older files have without the first.

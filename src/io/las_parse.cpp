@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "las_parse.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "columns.hpp"
@@ -27,7 +28,7 @@ std::string text_of(std::uint64_t value) {
 
 void check_kind(const FileBytes& file) {
   if (file.bytes.compare(0, 4, "LASF") != 0) {
-    refuse(file.path, "begins with " + in_quotes(std::string_view(file.bytes).substr(0, 4)) +
+    refuse(file.path, "begins with " + in_quotes(file.bytes.substr(0, 4)) +
                           " in place of 'LASF': it is no LAS file; give it the extension of what it is");
   }
   if (file.bytes.size() < las::kSmallestHeader) {
@@ -109,6 +110,16 @@ Contents parse_contents(const FileBytes& file) {
   return c;
 }
 
+/// In parts, each given back when it has been copied: so the file is not in memory twice.
+void copy_points(const FileBytes& file, const Contents& c, std::string& points) {
+  constexpr std::size_t kPart = std::size_t{1} << 24;
+  points.reserve(c.points_end - c.points_start);
+  for (std::size_t at = c.points_start; at < c.points_end; at += kPart) {
+    points += file.bytes.substr(at, std::min(kPart, c.points_end - at));
+    file.done_before(at);
+  }
+}
+
 void parse_points(const FileBytes& file, Contents& c, LasFile& las) {
   const std::size_t held = file.bytes.size() - c.points_start;
   if (c.points > held / las.record_length) {
@@ -118,7 +129,7 @@ void parse_points(const FileBytes& file, Contents& c, LasFile& las) {
   }
   check_count(file.path, c.points);
   c.points_end = c.points_start + c.points * las.record_length;
-  las.points = file.bytes.substr(c.points_start, c.points_end - c.points_start);
+  copy_points(file, c, las.points);
 }
 
 /// The record that begins at `at`, moved behind it; refused if it does not end before `end`.

@@ -49,6 +49,7 @@ Scan read_scan(const std::string& path) {
   const io::FileBytes file = io::load_file(path);
   if (file.bytes.empty()) io::refuse(path, "is empty: there is nothing to measure");
   Scan scan = reader->second(file);
+  io::check_unchanged(file);
   io::finish(path, scan);
   return scan;
 }

@@ -119,8 +119,9 @@ class Selection {
 
   void by_bounds() {
     if (!((filter_.bounds->min.array() <= filter_.bounds->max.array()).all())) {
-      throw Error(ErrorCode::InvalidArgument, "'" + path_ + "': its points cannot be selected by bounds of which a "
-                                                            "least coordinate is above the greatest; swap them");
+      throw Error(ErrorCode::InvalidArgument, "'" + path_ +
+                                                  "': its points cannot be selected by bounds of which a "
+                                                  "least coordinate is above the greatest; swap them");
     }
     Vec3 low, high;
     for (int axis = 0; axis < 3; ++axis) {

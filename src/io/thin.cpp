@@ -27,10 +27,9 @@ class Cells {
       const double count = std::floor(position(box.max, axis)) + 1;
       total *= count;
       if (!(total <= kMost)) {
-        throw Error(ErrorCode::InvalidArgument, "'" + path + "': an extent of " +
-                                                    std::to_string((box.max - box.min).maxCoeff()) +
-                                                    " cannot be divided into cells of " +
-                                                    std::to_string(cell.minCoeff()) + "; give larger ones");
+        throw Error(ErrorCode::InvalidArgument,
+                    "'" + path + "': an extent of " + std::to_string((box.max - box.min).maxCoeff()) +
+                        " cannot be divided into cells of " + std::to_string(cell.minCoeff()) + "; give larger ones");
       }
       count_[static_cast<std::size_t>(axis)] = static_cast<std::uint64_t>(count);
     }
@@ -83,8 +82,8 @@ Index nearest_to_mean(const std::vector<Vec3>& points, const Vec3& cell, const C
 
 std::size_t thin(Scan& scan, const Vec3& cell, const std::string& path) {
   if (!(cell.array() > 0).all() || !is_finite(cell)) {
-    throw Error(ErrorCode::InvalidArgument,
-                "'" + path + "': cells of size " + std::to_string(cell.minCoeff()) + " hold no point; give a positive size");
+    throw Error(ErrorCode::InvalidArgument, "'" + path + "': cells of size " + std::to_string(cell.minCoeff()) +
+                                                " hold no point; give a positive size");
   }
   if (bounds(scan.points).empty()) return 0;
   const std::vector<Celled> sorted = sorted_by_cell(scan.points, Cells(scan.points, cell, path));

@@ -93,6 +93,7 @@ bool check_las(const std::string& bytes) {
     return false;
   }
   looks_geographic(scan);
+  length_units(scan);
   check_copy(scan);
   check_with_field(std::move(scan));
   return true;

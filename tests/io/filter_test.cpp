@@ -102,10 +102,16 @@ TEST(SelectPoints, BoundsAreThoseOfTheFileAndIncludeTheirBorders) {
   EXPECT_EQ(numbers(scan).back(), 29);
   EXPECT_EQ(counts.by_bounds, 77u);
   Scan below = line(3);
-  test::expect_error([&] { select_points(below, of_bounds({0, 0, 0}, {1, 1, 1}), "a.pcd"); }, ErrorCode::InvalidData,
-                     "'a.pcd': no point is left within the bounds: its points are between 500000.0");
-  test::expect_error([&] { select_points(below, of_bounds({1, 0, 0}, {0, 1, 1}), "a.pcd"); },
-                     ErrorCode::InvalidArgument, "swap");
+  test::expect_error(
+      [&] {
+        select_points(below, of_bounds({0, 0, 0}, {1, 1, 1}), "a.pcd");
+      },
+      ErrorCode::InvalidData, "'a.pcd': no point is left within the bounds: its points are between 500000.0");
+  test::expect_error(
+      [&] {
+        select_points(below, of_bounds({1, 0, 0}, {0, 1, 1}), "a.pcd");
+      },
+      ErrorCode::InvalidArgument, "swap");
 }
 
 TEST(SelectPoints, EachPointCountsOnce) {
@@ -220,58 +226,80 @@ Scan tilted() {
   return scan;
 }
 
-TEST(MeasuringFrame, ScalesHeightsAndIsUndoneToTheBit) {
+TEST(HeightUnit, ScalesHeightsAndIsUndoneToTheBit) {
   const Scan before = tilted();
   Scan scan = before;
-  const MeasuringFrame frame(scan, 0.3048);
+  HeightUnit unit(0.3048);
+  unit.apply(scan);
   EXPECT_EQ(scan.points[7].z(), 0.3048 * before.points[7].z());
   EXPECT_EQ(scan.points[7].head<2>().eval(), before.points[7].head<2>().eval());
   EXPECT_EQ(scan.origin, Vec3(1000, 2000, 300 * 0.3048));
   EXPECT_EQ(scan.viewpoint->z(), 3 * 0.3048);
-  frame.undo(scan);
+  EXPECT_LT((unit.point_of_file(scan.points[7]) - before.points[7]).norm(), 1e-12);
+  unit.restore(scan);
   EXPECT_EQ(scan.points, before.points);
   EXPECT_EQ(scan.normals, before.normals);
   EXPECT_EQ(scan.origin, before.origin);
   EXPECT_EQ(*scan.viewpoint, *before.viewpoint);
 }
 
-TEST(MeasuringFrame, NormalsStayPerpendicularToTheSurface) {
+TEST(HeightUnit, NormalsStayPerpendicularToTheSurface) {
   const Scan before = tilted();
   Scan scan = before;
-  const MeasuringFrame frame(scan, 3.28);
+  HeightUnit unit(3.28);
+  unit.apply(scan);
   for (std::size_t i = 0; i < scan.normals.size(); ++i) {
     const Vec3& u = before.normals[i];
     const Vec3 a = u.unitOrthogonal(), b = u.cross(a);
     for (const Vec3& tangent : {a, b}) {
       const Vec3 scaled(tangent.x(), tangent.y(), tangent.z() * 3.28);
       EXPECT_NEAR(scan.normals[i].dot(scaled), 0, 1e-12 * u.norm() * scaled.norm());
+      EXPECT_LT((unit.direction_of_file(scaled.normalized()) - tangent.normalized()).norm(), 1e-12);
     }
     EXPECT_NEAR(scan.normals[i].norm(), u.norm(), 1e-12 * u.norm());
-    EXPECT_LT((frame.normal_of_file(scan.normals[i]) - u).norm(), 1e-12 * u.norm());
-    EXPECT_LT((frame.point_of_file(scan.points[i]) - before.points[i]).norm(), 1e-12);
+    EXPECT_LT((unit.normal_of_file(scan.normals[i]) - u).norm(), 1e-12 * u.norm());
   }
-  EXPECT_EQ(frame.normal_of_file(Vec3::Zero()), Vec3::Zero());
+  EXPECT_EQ(unit.normal_of_file(Vec3::Zero()), Vec3::Zero());
 }
 
-TEST(MeasuringFrame, NoReturnsLoseTheirPositionUntilUndone) {
+TEST(HeightUnit, OneChangesNothing) {
+  const Scan before = tilted();
+  Scan scan = before;
+  HeightUnit unit;
+  unit.apply(scan);
+  EXPECT_EQ(scan.points, before.points);
+  EXPECT_EQ(scan.normals, before.normals);
+  EXPECT_EQ(unit.direction_of_file(before.normals[0]), before.normals[0]);
+}
+
+TEST(HeightUnit, RefusesAScaleThatIsNone) {
+  for (const double z_scale : {0.0, -1.0, kNaN, kInfinity})
+    test::expect_error([&] { HeightUnit unit(z_scale); }, ErrorCode::InvalidArgument, "give a positive number");
+}
+
+TEST(NoReturns, LoseTheirPositionUntilRestored) {
   Scan scan = line(100);
-  scan.origin.setZero();
-  scan.origin.z() = 1;
-  for (std::size_t i = 0; i < 20; ++i) scan.points[5 * i] = Vec3(0, 0, -1);
+  scan.origin = Vec3(0, 0, 1);
+  for (std::size_t i = 0; i < 20; ++i) scan.points[5 * i] = Vec3(0, i % 2 ? -0.0 : 0.0, -1);
   const Scan before = scan;
-  const MeasuringFrame frame(scan, 2);
-  EXPECT_EQ(frame.no_returns().size(), 20u);
+  const NoReturns none(scan);
+  EXPECT_EQ(none.size(), 20u);
   EXPECT_FALSE(is_finite(scan.points[15]));
   EXPECT_TRUE(is_finite(scan.points[16]));
-  frame.undo(scan);
+  none.restore(scan);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_TRUE(test::same_bits(scan.points[i].y(), before.points[i].y()));
   EXPECT_EQ(scan.points, before.points);
 }
 
-TEST(MeasuringFrame, RefusesAScaleThatIsNone) {
-  for (const double z_scale : {0.0, -1.0, kNaN, kInfinity}) {
-    Scan scan = line(3);
-    test::expect_error([&] { MeasuringFrame(scan, z_scale); }, ErrorCode::InvalidArgument, "give a positive number");
-  }
+TEST(NoReturns, AreNotRestoredAmongOtherPoints) {
+  Scan scan = line(100);
+  scan.origin = Vec3(0, 0, 1);
+  for (std::size_t i = 0; i < 20; ++i) scan.points[5 * i] = Vec3(0, 0, -1);
+  const NoReturns none(scan);
+  EXPECT_EQ(select_points(scan, of_bounds({-9, -9, 0}, {9, 9, 9}), "a.pcd").unplaced, 20u);
+  const std::vector<Vec3> selected = scan.points;
+  none.restore(scan);
+  EXPECT_EQ(scan.points, selected);
 }
 
 }  // namespace

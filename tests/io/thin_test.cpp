@@ -34,7 +34,8 @@ std::vector<double> thinned_slowly(const Scan& scan, double size) {
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     std::array<long, 3> cell;
     for (int axis = 0; axis < 3; ++axis)
-      cell[static_cast<std::size_t>(axis)] = std::lround(std::floor((scan.points[i][axis] - least[axis]) / size + 1e-6));
+      cell[static_cast<std::size_t>(axis)] =
+          std::lround(std::floor((scan.points[i][axis] - least[axis]) / size + 1e-6));
     cells[cell].push_back(i);
   }
   std::vector<double> kept;

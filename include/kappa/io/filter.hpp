@@ -7,7 +7,7 @@
 
 #include "kappa/mesh/mesh.hpp"
 
-/// Which points of a scan are measured, and in what units.
+/// Which points of a scan are measured, and in what unit.
 ///
 /// Every filter selects: points that stay keep their place in the order, their position, normal and fields to the bit,
 /// and their LAS record. Points that go are gone from the scan and from whatever is written of it; only in an organised
@@ -23,9 +23,10 @@ enum class Returns {
 
 /// A selection by attributes and place.
 struct PointFilter {
-  std::vector<int> classes;      ///< those of the field `classification` that stay; empty: all
+  std::vector<int> classes;  ///< those of the field `classification` that stay; empty: all
   Returns returns = Returns::All;
-  std::optional<Bounds> bounds;  ///< in the coordinates of the file, borders included (to their rounding); may be infinite
+  std::optional<Bounds>
+      bounds;  ///< in the coordinates of the file, borders included (to their rounding); may be infinite
 };
 
 /// How many points a selection took away; a point counts at the first of these that refuses it.
@@ -40,13 +41,12 @@ struct FilterCounts {
 /// not recorded (all 0), or if no point is left; InvalidArgument if it has faces, or a bound is NaN or reversed.
 FilterCounts select_points(Scan& scan, const PointFilter& filter, const std::string& path);
 
-/// Thins the cloud to one point a cell of a grid of cubes: the point nearest to the mean of those in the cell; of equally
-/// near ones the first. The cells begin at the least coordinates of the points, so that the result depends neither on the
-/// local origin nor on the offset of a file; coordinates within 1e-6 of a border count as on it, and to the cell above.
-/// A point is kept rather than the mean written, so that every attribute is one that was measured. An organised cloud
-/// becomes a list. Points without a position are taken away.
-/// `cell`: edge of a cell along each axis, in units of the points.
-/// Cost: O(n log n), 16 bytes a point.
+/// Thins the cloud to one point a cell of a grid of cubes: the point nearest to the mean of those in the cell; of
+/// equally near ones the first. The cells begin at the least coordinates of the points, so that the result depends
+/// neither on the local origin nor on the offset of a file; coordinates within 1e-6 of a border count as on it, and to
+/// the cell above. A point is kept rather than the mean written, so that every attribute is one that was measured. An
+/// organised cloud becomes a list. Points without a position are taken away. `cell`: edge of a cell along each axis, in
+/// units of the points. Cost: O(n log n), 16 bytes a point.
 /// @returns the number of points taken away.
 /// @throws Error InvalidArgument, naming `path`, if an edge is not positive, if there would be more than 2^62 cells, or
 /// if the scan has faces.
@@ -58,33 +58,47 @@ void leave_out(Scan& scan, const std::vector<char>& kept);
 
 /// Points of a cloud at exactly (0, 0, 0) in the coordinates of the file that stand for no return, as spinning scanners
 /// store them: all such points if they are at least 10 and more than 1 in 1000 of the points, else none. A place at
-/// which a scan was really measured is met that often only where the scanner itself stands, and the scanner does not see
-/// itself; a few points at the origin (both signs of zero) are taken for what they say. Meshes have none.
+/// which a scan was really measured is met that often only where the scanner itself stands, and the scanner does not
+/// see itself; a few points at the origin (both signs of zero) are taken for what they say. Meshes have none.
 std::vector<Index> find_no_returns(const Scan& scan);
 
-/// A scan turned into what is measured and back: heights in the unit of x and y, and no position where there was no
-/// return. `undo` gives back the very bits, if no point was taken away or added in between, for which LAS records, and
-/// the rows of an output, are kept.
-class MeasuringFrame {
+/// Takes the position (NaN) from the points that find_no_returns finds, and gives it back: rows stay as they are.
+class NoReturns {
  public:
-  /// Multiplies the heights of the points, of the origin and of the viewpoint by `z_scale`, turns the normals along
-  /// (x, y, z / z_scale, to their old length), and makes points NaN that find_no_returns finds.
-  /// @throws Error InvalidArgument unless `z_scale` is positive and finite.
-  MeasuringFrame(Scan& scan, double z_scale);
-  void undo(Scan& scan) const;
+  explicit NoReturns(Scan& scan);
+  /// Nothing if points were taken away since: those without a position are the first to go.
+  void restore(Scan& scan) const;
+  std::size_t size() const { return indices_.size(); }
+
+ private:
+  std::size_t points_;
+  std::vector<Index> indices_;
+  std::vector<Vec3> zeros_;  ///< of either sign
+};
+
+/// Brings the heights of a scan into the unit of x and y, and back to the very bits.
+class HeightUnit {
+ public:
+  /// `z_scale`: units of x and y in a unit of height.
+  /// @throws Error InvalidArgument unless it is positive and finite.
+  explicit HeightUnit(double z_scale = 1);
+
+  /// Multiplies the heights of the points, of the origin and of the viewpoint, and turns the normals along: they stay
+  /// perpendicular to the surface, and as long as they were.
+  void apply(Scan& scan);
+  /// Undoes `apply` on the scan with the same points.
+  void restore(Scan& scan) const;
 
   double z_scale() const { return z_scale_; }
-  const std::vector<Index>& no_returns() const { return no_returns_; }
-
-  /// A point, and a normal (unit or zero), of the measured scan in the coordinates of the file.
-  Vec3 point_of_file(const Vec3& point) const { return {point.x(), point.y(), point.z() / z_scale_}; }
+  /// What a position, a normal and a direction along the surface in the unit of x and y are in the coordinates of the
+  /// file; normals and directions keep their length.
+  Vec3 point_of_file(const Vec3& point) const;
   Vec3 normal_of_file(const Vec3& normal) const;
+  Vec3 direction_of_file(const Vec3& direction) const;
 
  private:
   double z_scale_;
-  std::vector<Index> no_returns_;
-  std::vector<Vec3> zeros_;      ///< those points, before
-  std::vector<double> heights_;  ///< before, empty for a scale of 1; and what else changed with them
+  std::vector<double> heights_;  ///< before, and what else changed with them
   Normals normals_;
   double origin_height_ = 0;
   std::optional<Vec3> viewpoint_;

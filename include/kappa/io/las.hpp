@@ -48,4 +48,18 @@ void keep_points(Scan& scan, const std::vector<Index>& kept);
 /// latitude, span less than 2, and heights span more than 100 times that.
 bool looks_geographic(const Scan& scan);
 
+/// Units of length, in metres; none where it is not known.
+struct LengthUnits {
+  std::optional<double> horizontal;  ///< of x and y
+  std::optional<double> vertical;
+
+  /// What heights must be multiplied by to be in the unit of x and y; 1 where that is not known, or the units differ by
+  /// less than 1e-4 (feet by two definitions).
+  double z_scale() const;
+};
+
+/// The units that the coordinate system of a LAS file states: a projected and a vertical one in WKT (1 or 2), else the
+/// linear and vertical units of its GeoTIFF keys. None for other files.
+LengthUnits length_units(const Scan& scan);
+
 }  // namespace kappa
