@@ -92,21 +92,25 @@ void add_limit(const MeasuredTriangles& triangles, std::size_t t, std::size_t co
 
 /// Every vertex below `vertices` gets the whole faces around it, a polygon with all of its parts.
 void add_stars(const MeasuredTriangles& triangles, std::vector<BallMeasures>& sums) {
-  for (std::size_t begin = 0, end = 0; begin < triangles.size(); begin = end) {
-    BallMeasures face;
-    for (end = begin; end < triangles.size() && triangles.faces[end] == triangles.faces[begin]; ++end) {
-      face.sum += triangles.measures[end];
-      ++face.face_count;
+  const std::size_t vertices = triangles.vertices;
+  // The parts of a polygon share its barycentre, their last corner; the first two run round the polygon.
+  std::vector<BallMeasures> polygons(triangles.x.size() - vertices);
+  const auto add_to = [](BallMeasures& to, const MeasureSum& sum, Index faces) {
+    to.sum += sum;
+    to.face_count += faces;
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& c = triangles.corners[t];
+    if (c[2] >= vertices) {
+      add_to(polygons[c[2] - vertices], triangles.measures[t], 1);
+    } else {
+      for (const Index v : c) add_to(sums[v], triangles.measures[t], 1);
     }
-    // The first two corners of each part run round the polygon; of a triangle it is all three.
-    const auto add_to = [&](Index v) {
-      sums[v].sum += face.sum;
-      sums[v].face_count += face.face_count;
-    };
-    for (std::size_t t = begin; t < end; ++t) add_to(triangles.corners[t][0]);
-    if (end - begin > 1) continue;
-    add_to(triangles.corners[begin][1]);
-    add_to(triangles.corners[begin][2]);
+  }
+  for (const auto& c : triangles.corners) {
+    if (c[2] < vertices) continue;
+    const BallMeasures& face = polygons[c[2] - vertices];
+    add_to(sums[c[0]], face.sum, face.face_count);
   }
 }
 

@@ -3,18 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "kernels/tree_view.hpp"
+#include "ball_workspace.hpp"
 #include "measure_tree_order.hpp"
 
 namespace kappa {
 namespace {
 
-using kernels::BallAccumulator;
-using kernels::BallQuery;
 using kernels::BoxBlock;
-using kernels::kSums;
 using kernels::kWidth;
 using kernels::Leaf;
 using kernels::TreeView;
@@ -22,33 +18,48 @@ using kernels::TreeView;
 constexpr std::size_t kBlock = 64;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-static_assert(sizeof(MeasureSum) == kSums * sizeof(double), "kernels add a MeasureSum as 9 doubles");
-static_assert(sizeof(std::array<Index, 3>) == 3 * sizeof(std::uint32_t) && sizeof(Vec3) == 3 * sizeof(double),
-              "kernels read corners and normals as plain arrays");
-
-bool has_avx2() {
-#if defined(KAPPA_AVX2_KERNELS)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
+/// Puts the triangles in the order given.
+void permute(MeasuredTriangles& t, const std::vector<Index>& order) {
+  const auto apply = [&](auto& values) {
+    std::decay_t<decltype(values)> sorted(values.size());
+    std::transform(order.begin(), order.end(), sorted.begin(), [&](Index i) { return values[i]; });
+    values = std::move(sorted);
+  };
+  apply(t.corners);
+  apply(t.weights);
+  apply(t.measures);
+  apply(t.faces);
 }
 
-template <class Real>
-using Query = void (*)(const TreeView<Real>&, const BallQuery&);
+/// Unit and origin of the boxes: floats in [-1, 1], whatever the units of the data.
+struct BoxFrame {
+  Vec3 middle = Vec3::Zero();
+  double unit = 1;
 
-template <class Real>
-Query<Real> best_query() {
-#if defined(KAPPA_AVX2_KERNELS)
-  if (has_avx2()) return static_cast<Query<Real>>(kernels::query_avx2);
-#endif
-  return static_cast<Query<Real>>(kernels::query_baseline);
+  explicit BoxFrame(const MeasuredTriangles& t) {
+    Bounds b;
+    for (const auto& corners : t.corners) {
+      for (const Index v : corners) {
+        b.min = b.min.cwiseMin(t.x[v]);
+        b.max = b.max.cwiseMax(t.x[v]);
+      }
+    }
+    if (b.empty()) return;
+    middle = b.min / 2 + b.max / 2;
+    const double half = (b.max / 2 - b.min / 2).maxCoeff();
+    if (half > 0 && std::isfinite(1 / half)) unit = 1 / half;
+  }
+};
+
+float rounded_down(double v) {
+  const auto f = static_cast<float>(v);
+  return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
 }
 
 BoxBlock empty_block() {
   BoxBlock block;
-  std::fill_n(&block.lo[0][0], 3 * kWidth, kInfinity);
-  std::fill_n(&block.hi[0][0], 3 * kWidth, -kInfinity);
+  std::fill_n(&block.lo[0][0], 3 * kWidth, std::numeric_limits<float>::infinity());
+  std::fill_n(&block.hi[0][0], 3 * kWidth, -std::numeric_limits<float>::infinity());
   return block;
 }
 
@@ -59,22 +70,27 @@ struct LevelData {
 
   explicit LevelData(std::size_t nodes) : boxes((nodes + kWidth - 1) / kWidth, empty_block()), sums(nodes) {}
 
-  void extend(std::size_t node, int axis, double lo, double hi) {
+  void extend(std::size_t node, int axis, float lo, float hi) {
     BoxBlock& block = boxes[node / kWidth];
-    double &to_lo = block.lo[axis][node % kWidth], &to_hi = block.hi[axis][node % kWidth];
+    float &to_lo = block.lo[axis][node % kWidth], &to_hi = block.hi[axis][node % kWidth];
     to_lo = std::min(to_lo, lo);
     to_hi = std::max(to_hi, hi);
   }
 };
 
-LevelData leaf_level(const MeasuredTriangles& t, const std::vector<Index>& order) {
+LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame) {
   LevelData level((t.size() + kWidth - 1) / kWidth);
-  for (std::size_t place = 0; place < t.size(); ++place) {
-    const std::size_t leaf = place / kWidth;
-    level.sums[leaf] += t.measures[order[place]];
-    for (const Index v : t.corners[order[place]]) {
-      for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, t.x[v][axis], t.x[v][axis]);
+  for (std::size_t leaf = 0; leaf < level.sums.size(); ++leaf) {
+    Bounds b;
+    for (std::size_t i = kWidth * leaf; i < std::min(t.size(), kWidth * (leaf + 1)); ++i) {
+      level.sums[leaf] += t.measures[i];
+      for (const Index v : t.corners[i]) {
+        b.min = b.min.cwiseMin(t.x[v]);
+        b.max = b.max.cwiseMax(t.x[v]);
+      }
     }
+    const Vec3 lo = (b.min - frame.middle) * frame.unit, hi = (b.max - frame.middle) * frame.unit;
+    for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), -rounded_down(-hi[axis]));
   }
   return level;
 }
@@ -90,10 +106,10 @@ LevelData parent_level(const LevelData& below) {
   return level;
 }
 
-std::vector<LevelData> make_levels(const MeasuredTriangles& t, const std::vector<Index>& order) {
+std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& frame) {
   std::vector<LevelData> levels;
   if (t.size() == 0) return levels;
-  levels.push_back(leaf_level(t, order));
+  levels.push_back(leaf_level(t, frame));
   while (levels.back().boxes.size() > 1) levels.push_back(parent_level(levels.back()));
   return levels;
 }
@@ -111,13 +127,13 @@ double origin_of(const Leaf<float>& leaf, int axis) {
 }
 
 template <class Real>
-std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t, const std::vector<Index>& order) {
+std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t) {
   std::vector<Leaf<Real>> leaves((t.size() + kWidth - 1) / kWidth);
   for (std::size_t place = 0; place < kWidth * leaves.size(); ++place) {
     Leaf<Real>& leaf = leaves[place / kWidth];
     const std::size_t lane = place % kWidth;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 x = place < t.size() ? t.x[t.corners[order[place]][corner]] : Vec3(Vec3::Constant(kInfinity));
+      const Vec3 x = place < t.size() ? t.x[t.corners[place][corner]] : Vec3(Vec3::Constant(kInfinity));
       if (lane == 0 && corner == 0) set_origin(leaf, x);
       for (int axis = 0; axis < 3; ++axis)
         leaf.x[3 * static_cast<int>(corner) + axis][lane] = static_cast<Real>(x[axis] - origin_of(leaf, axis));
@@ -126,86 +142,24 @@ std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t, const std::vecto
   return leaves;
 }
 
-/// Radii in increasing order, and where each stood.
-struct SortedRadii {
-  std::vector<std::size_t> given;
-  std::vector<double> radii, radii_sq;
-
-  explicit SortedRadii(const std::vector<double>& unsorted) : given(unsorted.size()) {
-    std::iota(given.begin(), given.end(), std::size_t{0});
-    std::stable_sort(given.begin(), given.end(),
-                     [&](std::size_t a, std::size_t b) { return unsorted[a] < unsorted[b]; });
-    for (const std::size_t i : given) {
-      radii.push_back(unsorted[i]);
-      radii_sq.push_back(unsorted[i] * unsorted[i]);
-    }
+template <class Real>
+auto query_of(const kernels::Table& table) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return table.query_double;
+  } else {
+    return table.query_float;
   }
-};
+}
 
-/// What one thread needs over and over.
-struct Workspace {
-  std::vector<BallAccumulator> balls;  ///< by increasing radius
-  std::vector<BallMeasures> careful;   ///< likewise
-  std::vector<BallMeasures> sums;      ///< in the order given
-  const MeasuredTriangles* triangles = nullptr;
-  const SortedRadii* radii = nullptr;
-  Vec3 centre;
-  BallDefinition ball = BallDefinition::ExactDensity;
-
-  void prepare(const MeasuredTriangles& of, const SortedRadii& sorted, BallDefinition definition) {
-    triangles = &of;
-    radii = &sorted;
-    ball = definition;
-    balls.resize(sorted.radii.size());
-    careful.resize(sorted.radii.size());
-    sums.resize(sorted.radii.size());
-  }
-
-  void start(const Vec3& at) {
-    centre = at;
-    for (BallAccumulator& b : balls) {
-      std::fill(std::begin(b.sum), std::end(b.sum), 0.0);
-      std::fill_n(&b.excess[0][0], sizeof(b.excess) / sizeof(double), 0.0);
-      b.faces = 0;
-      b.whole_count = b.rim_count = 0;
-    }
-    std::fill(careful.begin(), careful.end(), BallMeasures{});
-  }
-
-  static void add_careful(void* workspace, std::uint32_t triangle, int radius) {
-    Workspace& w = *static_cast<Workspace*>(workspace);
-    const auto r = static_cast<std::size_t>(radius);
-    add_triangle_in_ball(*w.triangles, triangle, w.centre, w.radii->radii[r], w.ball, w.careful[r]);
-  }
-
-  /// The sums of the ball in all their parts.
-  BallMeasures total(std::size_t r) const {
-    const BallAccumulator& b = balls[r];
-    const auto lanes = [&](int i) { return std::accumulate(b.excess[i], b.excess[i] + kWidth, 0.0); };
-    BallMeasures m;
-    m.sum.area = b.sum[0];
-    m.sum.mu0 = b.sum[1] + lanes(0);
-    m.sum.mu2 = b.sum[2] + lanes(1);
-    for (int i = 0; i < 6; ++i) m.sum.mu_sym[static_cast<std::size_t>(i)] = b.sum[3 + i] + lanes(2 + i);
-    m.sum += careful[r].sum;
-    m.face_count = static_cast<Index>(b.faces) + careful[r].face_count;
-    return m;
-  }
-
-  void finish() {
-    for (std::size_t r = 0; r < balls.size(); ++r) sums[radii->given[r]] = total(r);
-  }
-};
-
-/// The tree with leaves of one precision.
+/// The tree with leaves of one precision, over triangles in its order.
 template <class Real>
 class Hierarchy {
  public:
   explicit Hierarchy(const MeasuredTriangles& t)
-      : order_(tree_order(t)), levels_(make_levels(t, order_)), leaves_(make_leaves<Real>(t, order_)) {}
+      : frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t)) {}
 
   std::size_t bytes() const {
-    std::size_t total = order_.capacity() * sizeof(Index) + leaves_.capacity() * sizeof(Leaf<Real>);
+    std::size_t total = leaves_.capacity() * sizeof(Leaf<Real>);
     for (const LevelData& level : levels_)
       total += level.boxes.capacity() * sizeof(BoxBlock) + level.sums.capacity() * sizeof(MeasureSum);
     return total;
@@ -213,49 +167,35 @@ class Hierarchy {
 
   TreeView<Real> view(const MeasuredTriangles& t) const {
     TreeView<Real> v{};
+    v.triangles = view_of(t);
     v.levels = static_cast<int>(levels_.size());
     for (std::size_t i = 0; i < levels_.size(); ++i) v.level[i] = {levels_[i].boxes.data(), &levels_[i].sums[0].area};
     v.leaves = leaves_.data();
-    v.order = order_.data();
-    v.triangles = t.size();
-    if (t.size() == 0) return v;
-    v.measures = &t.measures[0].area;
-    v.corners = t.corners[0].data();
-    v.normals = t.u[0].data();
-    v.weights = t.weights.data();
+    std::copy_n(frame_.middle.data(), 3, v.middle);
+    v.unit = frame_.unit;
     return v;
   }
 
-  void sum(const MeasuredTriangles& t, const std::vector<Vec3>& centres, const std::vector<double>& radii,
-           BallDefinition ball, const Execution& run, const BallSum::Sink& sink) const {
+  void sum(const MeasuredTriangles& t, const kernels::Table& table, const std::vector<Vec3>& centres,
+           const std::vector<double>& radii, BallDefinition ball, const Execution& run,
+           const BallSum::Sink& sink) const {
     const TreeView<Real> tree = view(t);
     const SortedRadii sorted(radii);
-    const Query<Real> query = best_query<Real>();
     const std::vector<Index> order = spatial_order(centres);
-    std::vector<Workspace> workspaces(static_cast<std::size_t>(thread_count(run)));
-    for (Workspace& w : workspaces) w.prepare(t, sorted, ball);
+    auto spaces = workspaces<Real>(t, sorted, ball, run);
     parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
-      Workspace& w = workspaces[static_cast<std::size_t>(worker)];
+      BallWorkspace<Real>& space = spaces[static_cast<std::size_t>(worker)];
       for (std::size_t i = begin; i < end; ++i) {
-        w.start(centres[order[i]]);
-        if (is_finite(w.centre)) {
-          query(tree, {{w.centre[0], w.centre[1], w.centre[2]},
-                       sorted.radii.data(),
-                       sorted.radii_sq.data(),
-                       static_cast<int>(radii.size()),
-                       ball == BallDefinition::ExactDensity,
-                       w.balls.data(),
-                       Workspace::add_careful,
-                       &w});
-        }
-        w.finish();
-        sink(order[i], w.sums.data());
+        const Vec3& centre = centres[order[i]];
+        const kernels::BallQuery<Real>& query = space.start(centre);
+        if (is_finite(centre)) query_of<Real>(table)(tree, query);
+        sink(order[i], space.finish());
       }
     });
   }
 
  private:
-  std::vector<Index> order_;
+  BoxFrame frame_;
   std::vector<LevelData> levels_;
   std::vector<Leaf<Real>> leaves_;
 };
@@ -264,12 +204,19 @@ class Hierarchy {
 
 struct MeasureTree::Impl {
   MeasuredTriangles triangles;
+  const kernels::Table* table;
   std::unique_ptr<const Hierarchy<double>> in_double;
   std::unique_ptr<const Hierarchy<float>> in_float;
 };
 
-MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision) : impl_(std::make_unique<Impl>()) {
+MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision)
+    : MeasureTree(std::move(triangles), precision, kernels::best_table()) {}
+
+MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table)
+    : impl_(std::make_unique<Impl>()) {
   impl_->triangles = std::move(triangles);
+  impl_->table = &table;
+  permute(impl_->triangles, tree_order(impl_->triangles));
   if (precision == Precision::Double) {
     impl_->in_double = std::make_unique<Hierarchy<double>>(impl_->triangles);
   } else {
@@ -291,9 +238,9 @@ void MeasureTree::do_sum(const std::vector<Vec3>& centres, const std::vector<dou
                          const Execution& run, const Sink& sink) const {
   if (radii.empty()) return;
   if (impl_->in_double) {
-    impl_->in_double->sum(impl_->triangles, centres, radii, ball, run, sink);
+    impl_->in_double->sum(impl_->triangles, *impl_->table, centres, radii, ball, run, sink);
   } else {
-    impl_->in_float->sum(impl_->triangles, centres, radii, ball, run, sink);
+    impl_->in_float->sum(impl_->triangles, *impl_->table, centres, radii, ball, run, sink);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "../mesh/ball_workspace.hpp"
 #include "kd_tree.hpp"
 
 namespace kappa {
@@ -48,9 +49,10 @@ SizeClass make_class(const MeasuredTriangles& t, const std::vector<double>& boun
 
 /// What one thread needs over and over.
 struct Workspace {
+  BallWorkspace<double> balls;
   std::vector<Index> found;
   std::vector<double> distances_sq;
-  std::vector<BallMeasures> sums;
+  std::vector<Index> rim;  ///< triangles that the sphere may cut
 };
 
 }  // namespace
@@ -59,6 +61,7 @@ struct FlannBallSum::Impl {
   MeasuredTriangles triangles;
   std::vector<double> bounds;  ///< of each triangle
   std::vector<SizeClass> classes;
+  const kernels::Table& table = kernels::best_table();
 
   explicit Impl(MeasuredTriangles measured) : triangles(std::move(measured)) {
     std::map<int, std::vector<Index>> octaves;
@@ -70,31 +73,38 @@ struct FlannBallSum::Impl {
     for (auto& [octave, members] : octaves) classes.push_back(make_class(triangles, bounds, std::move(members)));
   }
 
-  /// Adds triangle `t`, whose centroid is at `distance` from the centre, to the ball of `radius`.
-  void add(std::size_t t, double distance, const Vec3& centre, double radius, BallDefinition ball,
-           BallMeasures& to) const {
+  /// Adds what the search found to a ball: by the distance of their centroids and their bounding radii, triangles lie
+  /// inside, outside, or on the rim.
+  void add_found(const SizeClass& c, int radius, const kernels::BallQuery<double>& query, Workspace& w) const {
     constexpr double kRounding = 1e-12;
-    if (distance + bounds[t] <= radius * (1 - kRounding)) {
-      to.sum += triangles.measures[t];
-      ++to.face_count;
-    } else if (distance - bounds[t] <= radius * (1 + kRounding)) {
-      add_triangle_in_ball(triangles, t, centre, radius, ball, to);
-    }
-  }
-
-  void query(const Vec3& centre, const std::vector<double>& radii, double largest, BallDefinition ball,
-             Workspace& w) const {
-    constexpr double kMargin = 1 + 1e-9;
-    w.sums.assign(radii.size(), {});
-    if (!is_finite(centre)) return;
-    for (const SizeClass& c : classes) {
-      c.centroids->within(centre, (largest + c.bound) * kMargin, w.found, w.distances_sq);
-      for (std::size_t i = 0; i < w.found.size(); ++i) {
-        const double distance = std::sqrt(w.distances_sq[i]);
-        for (std::size_t r = 0; r < radii.size(); ++r)
-          add(c.triangles[w.found[i]], distance, centre, radii[r], ball, w.sums[r]);
+    const double in = query.radii[radius] * (1 - kRounding), out = query.radii[radius] * (1 + kRounding);
+    MeasureSum inside;
+    Index count = 0;
+    w.rim.clear();
+    for (std::size_t i = 0; i < w.found.size(); ++i) {
+      const Index t = c.triangles[w.found[i]];
+      const double left = in - bounds[t], reach = out + bounds[t];
+      if (left >= 0 && w.distances_sq[i] <= left * left) {
+        inside += triangles.measures[t];
+        ++count;
+      } else if (w.distances_sq[i] <= reach * reach) {
+        w.rim.push_back(t);
       }
     }
+    w.balls.add_whole(static_cast<std::size_t>(radius), inside, count);
+    table.add(view_of(triangles), query, radius, w.rim.data(), w.rim.size());
+  }
+
+  const BallMeasures* query(const Vec3& centre, double largest, Workspace& w) const {
+    constexpr double kMargin = 1 + 1e-9;
+    const kernels::BallQuery<double>& query = w.balls.start(centre);
+    if (!is_finite(centre)) return w.balls.finish();
+    for (const SizeClass& c : classes) {
+      c.centroids->within(centre, (largest + c.bound) * kMargin, w.found, w.distances_sq);
+      for (int r = 0; r < query.count; ++r) add_found(c, r, query, w);
+    }
+    for (int r = 0; r < query.count; ++r) table.finish(view_of(triangles), query, r);
+    return w.balls.finish();
   }
 };
 
@@ -108,15 +118,14 @@ const MeasuredTriangles& FlannBallSum::triangles() const {
 void FlannBallSum::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
                           const Execution& run, const Sink& sink) const {
   if (radii.empty()) return;
-  const double largest = *std::max_element(radii.begin(), radii.end());
+  const SortedRadii sorted(radii);
   const std::vector<Index> order = spatial_order(centres);
-  std::vector<Workspace> workspaces(static_cast<std::size_t>(thread_count(run)));
+  const Workspace empty = {BallWorkspace<double>(impl_->triangles, sorted, ball), {}, {}, {}};
+  std::vector<Workspace> workspaces(static_cast<std::size_t>(thread_count(run)), empty);
   parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
     Workspace& w = workspaces[static_cast<std::size_t>(worker)];
-    for (std::size_t i = begin; i < end; ++i) {
-      impl_->query(centres[order[i]], radii, largest, ball, w);
-      sink(order[i], w.sums.data());
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      sink(order[i], impl_->query(centres[order[i]], sorted.radii.back(), w));
   });
 }
 

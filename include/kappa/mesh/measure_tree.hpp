@@ -7,6 +7,10 @@
 
 namespace kappa {
 
+namespace kernels {
+struct Table;
+}
+
 /// What the corners of the triangles on the rim of a ball are computed in; sums are always in double.
 enum class Precision {
   Double,  ///< sums equal to those of BruteForceBallSum to 1e-11 of the sum of absolute values
@@ -25,7 +29,10 @@ enum class Precision {
 class MeasureTree final : public BallSum {
  public:
   explicit MeasureTree(MeasuredTriangles triangles, Precision precision = Precision::Double);
+  /// With the kernels of one instruction set instead of the best that the processor has: for tests.
+  MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table);
   ~MeasureTree() override;
+  /// In the order of the tree, not of the faces.
   const MeasuredTriangles& triangles() const override;
 
   /// Memory that the tree holds beside the triangles.

@@ -113,6 +113,19 @@ inline unsigned bits(MF mask) {
 }
 #endif
 
+typedef float HalfVF __attribute__((vector_size(16)));
+
+inline VD low_half(VF a) {
+  return __builtin_convertvector(HalfVF{a[0], a[1], a[2], a[3]}, VD);
+}
+inline VD high_half(VF a) {
+  return __builtin_convertvector(HalfVF{a[4], a[5], a[6], a[7]}, VD);
+}
+inline VF narrowed(VD low, VD high) {
+  const HalfVF a = __builtin_convertvector(low, HalfVF), b = __builtin_convertvector(high, HalfVF);
+  return VF{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+}
+
 template <class V>
 struct Vector2 {
   V x, y;

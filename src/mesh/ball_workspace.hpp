@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "kappa/mesh/ball_sum.hpp"
+#include "kernels/views.hpp"
+
+namespace kappa {
+
+static_assert(sizeof(MeasureSum) == kernels::kSums * sizeof(double), "kernels add a MeasureSum as 9 doubles");
+static_assert(sizeof(std::array<Index, 3>) == 3 * sizeof(std::uint32_t) && sizeof(Vec3) == 3 * sizeof(double),
+              "kernels read corners and vectors as plain arrays");
+
+inline kernels::TriangleView view_of(const MeasuredTriangles& t) {
+  if (t.size() == 0) return {};
+  return {t.size(), &t.measures[0].area, t.corners[0].data(), t.x[0].data(), t.u[0].data(), t.weights.data()};
+}
+
+/// Radii in increasing order, and where each stood.
+struct SortedRadii {
+  std::vector<std::size_t> given;
+  std::vector<double> radii, radii_sq;
+
+  explicit SortedRadii(const std::vector<double>& unsorted) : given(unsorted.size()) {
+    std::iota(given.begin(), given.end(), std::size_t{0});
+    std::stable_sort(given.begin(), given.end(),
+                     [&](std::size_t a, std::size_t b) { return unsorted[a] < unsorted[b]; });
+    for (const std::size_t i : given) {
+      radii.push_back(unsorted[i]);
+      radii_sq.push_back(unsorted[i] * unsorted[i]);
+    }
+  }
+};
+
+/// What one thread gathers the balls around one centre after the other in, with kernels of one precision.
+template <class Real>
+class BallWorkspace {
+ public:
+  BallWorkspace(const MeasuredTriangles& triangles, const SortedRadii& sorted, BallDefinition ball)
+      : triangles_(triangles),
+        radii_(sorted),
+        ball_(ball),
+        balls_(sorted.radii.size()),
+        direct_(sorted.radii.size()),
+        sums_(sorted.radii.size()) {}
+
+  /// Empties the balls; the query to gather with stays valid until the next call.
+  const kernels::BallQuery<Real>& start(const Vec3& centre) {
+    centre_ = centre;
+    for (kernels::Gathering<Real>& b : balls_) {
+      std::fill(std::begin(b.sum), std::end(b.sum), 0.0);
+      std::fill_n(&b.excess[0][0], sizeof(b.excess) / sizeof(double), 0.0);
+      b.faces = 0;
+      b.whole_count = b.corners.count = b.outside.count = b.caps.count = b.irregular.count = 0;
+    }
+    std::fill(direct_.begin(), direct_.end(), BallMeasures{});
+    query_ = {{centre[0], centre[1], centre[2]},
+              radii_.radii.data(),
+              radii_.radii_sq.data(),
+              static_cast<int>(radii_.radii.size()),
+              ball_ == BallDefinition::ExactDensity,
+              balls_.data(),
+              add_careful,
+              this};
+    return query_;
+  }
+
+  /// Adds triangles inside of the ball number `radius` by size, with their sum.
+  void add_whole(std::size_t radius, const MeasureSum& sum, Index faces) {
+    direct_[radius].sum += sum;
+    direct_[radius].face_count += faces;
+  }
+
+  /// The measures of the balls in the order in which the radii were given.
+  const BallMeasures* finish() {
+    for (std::size_t r = 0; r < balls_.size(); ++r) sums_[radii_.given[r]] = total(r);
+    return sums_.data();
+  }
+
+ private:
+  static void add_careful(void* workspace, std::uint32_t triangle, int radius) {
+    auto& w = *static_cast<BallWorkspace*>(workspace);
+    const auto r = static_cast<std::size_t>(radius);
+    add_triangle_in_ball(w.triangles_, triangle, w.centre_, w.radii_.radii[r], w.ball_, w.direct_[r]);
+  }
+
+  BallMeasures total(std::size_t r) const {
+    const kernels::Gathering<Real>& b = balls_[r];
+    const auto lanes = [&](int i) { return std::accumulate(b.excess[i], b.excess[i] + kernels::kWidth, 0.0); };
+    BallMeasures m;
+    m.sum.area = b.sum[0];
+    m.sum.mu0 = b.sum[1] + lanes(0);
+    m.sum.mu2 = b.sum[2] + lanes(1);
+    for (int i = 0; i < 6; ++i) m.sum.mu_sym[static_cast<std::size_t>(i)] = b.sum[3 + i] + lanes(2 + i);
+    m.sum += direct_[r].sum;
+    m.face_count = static_cast<Index>(b.faces) + direct_[r].face_count;
+    return m;
+  }
+
+  const MeasuredTriangles& triangles_;
+  const SortedRadii& radii_;
+  BallDefinition ball_;
+  Vec3 centre_ = Vec3::Zero();
+  kernels::BallQuery<Real> query_{};
+  std::vector<kernels::Gathering<Real>> balls_;  ///< by increasing radius
+  std::vector<BallMeasures> direct_;             ///< likewise: what comes from no kernel
+  std::vector<BallMeasures> sums_;               ///< in the order given
+};
+
+/// One workspace a thread of `run`.
+template <class Real>
+std::vector<BallWorkspace<Real>> workspaces(const MeasuredTriangles& triangles, const SortedRadii& sorted,
+                                            BallDefinition ball, const Execution& run) {
+  return std::vector<BallWorkspace<Real>>(static_cast<std::size_t>(thread_count(run)),
+                                          BallWorkspace<Real>(triangles, sorted, ball));
+}
+
+}  // namespace kappa

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// What the kernels see: plain pointers alone. They are compiled once for each instruction set, so nothing here or there
+// may instantiate a function that other files share.
+
+namespace kappa::kernels {
+
+inline constexpr int kWidth = 8;       ///< children of a node, triangles of a leaf
+inline constexpr int kMaxLevels = 12;  ///< 8^12 nodes are more than indices can count
+inline constexpr int kSums = 9;        ///< doubles of a MeasureSum: area, mu0, mu2, sym mu
+inline constexpr int kWaiting = 64;    ///< sums waiting to be added
+inline constexpr int kRim = 32;        ///< triangles waiting to be measured, a multiple of the lanes
+
+/// The arrays of a MeasuredTriangles.
+struct TriangleView {
+  std::size_t count;
+  const double* measures;        ///< kSums each
+  const std::uint32_t* corners;  ///< 3 each
+  const double* positions;       ///< 3 a vertex
+  const double* normals;         ///< 3 a vertex
+  const double* weights;
+};
+
+/// Boxes of 8 nodes side by side in the unit of the tree, rounded outward; those that do not exist have
+/// lo = infinity, hi = -infinity.
+struct alignas(64) BoxBlock {
+  float lo[3][kWidth], hi[3][kWidth];
+};
+
+/// Corners of 8 triangles side by side, coordinate by coordinate; infinity where there is no triangle.
+template <class Real>
+struct Leaf;
+
+template <>
+struct alignas(64) Leaf<double> {
+  double x[9][kWidth];
+};
+
+/// In floats the corners are relative to a point of the leaf.
+template <>
+struct Leaf<float> {
+  float x[9][kWidth];
+  double origin[3];
+};
+
+/// One level: nodes 8 j to 8 j + 7 are the children of node j of the level above. Level 0 are the leaves.
+struct Level {
+  const BoxBlock* boxes;  ///< one a block of 8 nodes
+  const double* sums;     ///< kSums a node
+};
+
+/// A tree; its triangles in the order of the leaves.
+template <class Real>
+struct TreeView {
+  TriangleView triangles;
+  int levels;
+  Level level[kMaxLevels];
+  const Leaf<Real>* leaves;
+  double middle[3], unit;  ///< boxes hold (x - middle) * unit, within [-1, 1]
+};
+
+/// Triangles that wait to be measured together, corners relative to the centre of the ball.
+template <class Real>
+struct alignas(64) Waiting {
+  Real x[9][kRim];
+  Real power[kRim];  ///< |first corner|^2 - radius^2
+  Real sign[kRim];   ///< of a cap
+  std::uint32_t triangle[kRim];
+  std::uint32_t turn[kRim];  ///< which corner of the triangle is the first here
+  int count;
+};
+
+/// What a ball has got so far.
+template <class Real>
+struct alignas(64) Gathering {
+  double sum[12];       ///< kSums used
+  double excess[8][8];  ///< mu0, mu2, sym mu that cut triangles have over their share, a lane each
+  std::uint64_t faces;
+  const double* whole[kWaiting];  ///< sums of nodes and triangles inside, to be added
+  int whole_count;
+  float out_sq, in_sq;      ///< in the unit of the tree: boxes farther away are out, nearer ones in
+  Waiting<Real> corners;    ///< one corner, the first, is on the other side of the sphere than the others
+  Waiting<Real> outside;    ///< all corners outside the ball
+  Waiting<Real> caps;       ///< what the first edge cuts off from the disc
+  Waiting<Real> irregular;  ///< anything else
+};
+
+/// One query.
+template <class Real>
+struct BallQuery {
+  double centre[3];
+  const double* radii;  ///< increasing
+  const double* radii_sq;
+  int count;
+  bool exact_density;
+  Gathering<Real>* balls;  ///< one a radius
+  /// Receives a triangle whose share in the ball of the radius needs the forms of triangle_ball.hpp.
+  void (*careful)(void* context, std::uint32_t triangle, int radius);
+  void* context;
+};
+
+/// The kernels of one instruction set. All give the same bits.
+struct Table {
+  /// Everything that a tree has in the balls of a query.
+  void (*query_double)(const TreeView<double>& tree, const BallQuery<double>& query);
+  void (*query_float)(const TreeView<float>& tree, const BallQuery<float>& query);
+  /// What `count` triangles have in the ball number `radius`, and, once all are given, what still waits.
+  void (*add)(const TriangleView& triangles, const BallQuery<double>& query, int radius, const std::uint32_t* chosen,
+              std::size_t count);
+  void (*finish)(const TriangleView& triangles, const BallQuery<double>& query, int radius);
+};
+
+const Table& baseline_table();
+#if defined(KAPPA_AVX2_KERNELS)
+const Table& avx2_table();
+#endif
+
+/// The table for this processor.
+const Table& best_table();
+
+}  // namespace kappa::kernels
