@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors of the ground filters on the ISPRS filter-test samples: ground_table FOLDER [cell slope window threshold scaling]
+// Errors of the ground filters on the ISPRS filter-test samples: ground_table FOLDER [cell slope window threshold
+// scaling]
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -100,7 +101,8 @@ void run(int argc, char** argv) {
   const std::vector<std::pair<const char*, Filter>> filters = {
       {"smrf", [&](const std::vector<Vec3>& points) { return kappa::find_ground(points, options); }},
       {"pmf", [](const std::vector<Vec3>& points) { return kappa::find_ground_progressively(points, {}); }}};
-  std::printf("| sample | points | filter | type I %% | type II %% | total %% | CPU s |\n|---|---|---|---|---|---|---|\n");
+  std::printf(
+      "| sample | points | filter | type I %% | type II %% | total %% | CPU s |\n|---|---|---|---|---|---|---|\n");
   std::vector<double> sums(filters.size(), 0), seconds(filters.size(), 0);
   const std::vector<std::string> names = samples_in(argv[1]);
   for (const std::string& name : names) {

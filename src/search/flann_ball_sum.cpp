@@ -124,8 +124,7 @@ void FlannBallSum::do_sum(const std::vector<Vec3>& centres, const std::vector<do
   std::vector<Workspace> workspaces(static_cast<std::size_t>(thread_count(run)), empty);
   parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
     Workspace& w = workspaces[static_cast<std::size_t>(worker)];
-    for (std::size_t i = begin; i < end; ++i)
-      sink(order[i], impl_->query(centres[order[i]], sorted.radii.back(), w));
+    for (std::size_t i = begin; i < end; ++i) sink(order[i], impl_->query(centres[order[i]], sorted.radii.back(), w));
   });
 }
 

@@ -37,9 +37,9 @@ class Plan {
     const double columns = std::floor((box.max.x() - box.min.x()) / cell) + 1,
                  rows = std::floor((box.max.y() - box.min.y()) / cell) + 1;
     if (!(columns * rows <= kMostCells)) {
-      throw Error(ErrorCode::InvalidArgument,
-                  "the ground filter's cell is " + std::to_string(cell) + ", which makes " +
-                      std::to_string(columns * rows) + " cells of the extent: give a larger one");
+      throw Error(ErrorCode::InvalidArgument, "the ground filter's cell is " + std::to_string(cell) + ", which makes " +
+                                                  std::to_string(columns * rows) +
+                                                  " cells of the extent: give a larger one");
     }
     columns_ = static_cast<std::size_t>(columns);
     rows_ = static_cast<std::size_t>(rows);

@@ -9,15 +9,15 @@ namespace {
 
 constexpr std::size_t kRowsAtOnce = 16;
 
-/// out[i] = least of in[i - reach .. i + reach], by the minima of blocks of the window's width from both ends (van Herk).
+/// out[i] = least of in[i - reach .. i + reach], by the minima of blocks of the window's width from both ends (van
+/// Herk).
 class SlidingMinimum {
  public:
   explicit SlidingMinimum(std::size_t count) : from_left_(count), from_right_(count) {}
 
   void operator()(const double* in, std::size_t count, std::size_t reach, double* out) {
     const std::size_t width = 2 * reach + 1;
-    for (std::size_t i = 0; i < count; ++i)
-      from_left_[i] = i % width == 0 ? in[i] : std::min(from_left_[i - 1], in[i]);
+    for (std::size_t i = 0; i < count; ++i) from_left_[i] = i % width == 0 ? in[i] : std::min(from_left_[i - 1], in[i]);
     for (std::size_t i = count; i-- > 0;) {
       const bool last = i + 1 == count || (i + 1) % width == 0;
       from_right_[i] = last ? in[i] : std::min(from_right_[i + 1], in[i]);

@@ -55,13 +55,14 @@ bool is_credible(const Scan& scan, const Vec3& viewpoint) {
   return distance <= 1 && !is_terrain_above(scan.points, b, viewpoint);
 }
 
-/// Whether a cloud is an unorganised sweep of a spinning scanner: such files have points at the scanner itself where
-/// there was no return, and the others lie on the rings of at most 128 lasers.
+/// Whether a cloud is an unorganised sweep of a spinning scanner: such files have points at the scanner itself, or
+/// without a position, where there was no return, and the others lie on the rings of at most 128 lasers.
 bool is_sweep(const Scan& scan, const Vec3& viewpoint) {
   constexpr double kAtScanner = 0.001, kExtraReturns = 0.2;
   constexpr std::size_t kLasers = 128;
   const double points = static_cast<double>(scan.points.size());
-  const auto missing = std::count(scan.points.begin(), scan.points.end(), viewpoint);
+  const auto missing = std::count_if(scan.points.begin(), scan.points.end(),
+                                     [&](const Vec3& x) { return !is_finite(x) || x == viewpoint; });
   if (static_cast<double>(missing) < kAtScanner * points) return false;
   try {
     const SpinningSweep sweep = organise_sweep(scan.points, viewpoint);
@@ -85,7 +86,7 @@ void choose_kind(const Scan& scan, const SurfaceOptions& options, bool seen, Sur
   } else if (seen && scan.field("ring")) {
     take(SurfaceKind::Spinning, "the points have ring numbers, seen from a known place");
   } else if (seen && is_sweep(scan, *c.viewpoint)) {
-    take(SurfaceKind::Spinning, "returns at the scanner itself, and rings about it");
+    take(SurfaceKind::Spinning, "pulses without a return, and rings about the scanner");
   } else {
     take(SurfaceKind::Umbrella, "a cloud without faces");
   }

@@ -62,7 +62,8 @@ ErrorStatistics mean_errors(const std::string& result, const std::string& truth)
 TEST(Surfaces, ADepthImageIsMeasuredAsAGrid) {
   const Folder f;
   write_scan(f.file("depth.pcd"), depth_image());
-  const Outcome done = run({"curvature", f.file("depth.pcd"), f.file("o.pcd"), "--radius", std::to_string(kBall), "--json"});
+  const Outcome done =
+      run({"curvature", f.file("depth.pcd"), f.file("o.pcd"), "--radius", std::to_string(kBall), "--json"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_NE(done.out.find("\"surface\": \"grid\""), std::string::npos) << done.out;
   EXPECT_NE(done.out.find("organised"), std::string::npos) << "says why";
@@ -73,8 +74,8 @@ TEST(Surfaces, OrganisedAndUnorganisedAgree) {
   const Folder f;
   write_scan(f.file("depth.pcd"), depth_image());
   const auto measure = [&](const std::string& surface) {
-    const Outcome done = run({"curvature", f.file("depth.pcd"), f.file("o.ply"), "--radius", std::to_string(kBall), "--surface",
-                              surface, "--normal-neighbours", "24"});
+    const Outcome done = run({"curvature", f.file("depth.pcd"), f.file("o.ply"), "--radius", std::to_string(kBall),
+                              "--surface", surface, "--normal-neighbours", "24"});
     EXPECT_EQ(done.exit_code, 0) << done.err;
     return worst_mean_inside(read_scan(f.file("o.ply")));
   };

@@ -62,7 +62,9 @@ TEST(LasUnits, UnitsOfWkt2) {
 }
 
 TEST(LasUnits, UnitsOfGeoKeys) {
-  const auto user = [](std::uint16_t id, const std::string& data) { return test::las_record("LASF_Projection", id, data); };
+  const auto user = [](std::uint16_t id, const std::string& data) {
+    return test::las_record("LASF_Projection", id, data);
+  };
   const LengthUnits feet = units_of({user(34735, keys({{1024, 0, 1, 1}, {3076, 0, 1, 9002}, {4099, 0, 1, 9001}}))});
   EXPECT_EQ(feet.horizontal, 0.3048);
   EXPECT_EQ(feet.vertical, 1.0);

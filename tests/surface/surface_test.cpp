@@ -139,6 +139,11 @@ TEST(MakeSurface, TellsASweepByItsReturnsAtTheScanner) {
   EXPECT_EQ(sweep.normals, NormalsKind::Area);
   EXPECT_EQ(sweep.at_sensor, 300u);
   for (std::size_t i = 0; i < 16 * 720; ++i) EXPECT_NEAR(sweep.u[i].z(), 1, 1e-9) << "flat ground, seen from above";
+  Scan marked = sweep_scan(16, 300);
+  for (Vec3& x : marked.points) {
+    if (x.isZero(0)) x.setConstant(kNaN);
+  }
+  EXPECT_EQ(make_surface(marked, {}).kind, SurfaceKind::Spinning);
   EXPECT_EQ(make_surface(sweep_scan(16, 0), {}).kind, SurfaceKind::Umbrella);
 }
 

@@ -21,8 +21,8 @@ struct GroundOptions {
 /// Journal 77, 2013), which continues the progressive one of Zhang et al. (IEEE TGRS 41, 2003).
 ///
 /// The lowest points of the cells of a grid make a surface. Cells far below all their neighbours are taken off as false
-/// echoes. The surface is opened with discs of growing radius up to `window`; a cell that sinks in one step by more than
-/// `slope` times the radius is an object. Without objects and false echoes the surface is filled by harmonic
+/// echoes. The surface is opened with discs of growing radius up to `window`; a cell that sinks in one step by more
+/// than `slope` times the radius is an object. Without objects and false echoes the surface is filled by harmonic
 /// interpolation, and a point is ground if it lies within `threshold + scaling * slope there` of it.
 ///
 /// `points`: any origin, z up. Points that are not finite are no ground. Returns 1 or 0 for each point. Equal for any

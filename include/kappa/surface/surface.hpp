@@ -18,7 +18,7 @@ namespace kappa {
 /// Where the faces of a surface come from.
 enum class SurfaceKind {
   Auto,   ///< Faces if the scan has any; Grid if it is organised and has a credible viewpoint; Spinning if it has one,
-          ///< and a field "ring" or points at the viewpoint itself and rings about it; else Umbrella
+          ///< and a field "ring", or rings about it and points at it or without a position; else Umbrella
   Faces,  ///< those of the scan
   Umbrella,  ///< umbrella_surface of the points
   Grid,      ///< grid_surface of an organised cloud

@@ -16,8 +16,8 @@
 namespace kappa::kernels {
 namespace {
 
-constexpr double kWidestArc = 0.25;   ///< s up to which F and G are fitted
-constexpr double kFlattest = 1e-3;    ///< (radius of the disc over that of the ball)^2 below which digits are lost
+constexpr double kWidestArc = 0.25;  ///< s up to which F and G are fitted
+constexpr double kFlattest = 1e-3;   ///< (radius of the disc over that of the ball)^2 below which digits are lost
 
 /// Even and odd terms apart: half the latency.
 template <class Real, class V, std::size_t N>
@@ -36,12 +36,18 @@ template <class Real>
 struct Arc;
 template <>
 struct Arc<double> {
-  static constexpr double kArea[] = {0.99999999999999944, 0.30000000000064514, 0.16071428559176415, 0.10416667574763477, 0.074573517312810825, 0.056798619743247382, 0.04500783340212066, 0.037971700079914433, 0.024919937596970691, 0.050260757136862691, -0.033176509632189682, 0.087758982231379512};
-  static constexpr double kMoment[] = {0.999999999999998, 0.57142857143082726, 0.38095238052398372, 0.27705630880618959, 0.21311900236559134, 0.17052327667947886, 0.14002641517399872, 0.12175380518960736, 0.080083293451123819, 0.1711007895297198, -0.11835914580233713, 0.3042809988937224};
+  static constexpr double kArea[] = {0.99999999999999944,  0.30000000000064514,   0.16071428559176415,
+                                     0.10416667574763477,  0.074573517312810825,  0.056798619743247382,
+                                     0.04500783340212066,  0.037971700079914433,  0.024919937596970691,
+                                     0.050260757136862691, -0.033176509632189682, 0.087758982231379512};
+  static constexpr double kMoment[] = {0.999999999999998,   0.57142857143082726,  0.38095238052398372,
+                                       0.27705630880618959, 0.21311900236559134,  0.17052327667947886,
+                                       0.14002641517399872, 0.12175380518960736,  0.080083293451123819,
+                                       0.1711007895297198,  -0.11835914580233713, 0.3042809988937224};
 };
 template <>
 struct Arc<float> {
-  static constexpr float kArea[] = {0.99999998943169799F, 0.30000303487152646F, 0.16057477450201443F,
+  static constexpr float kArea[] = {0.99999998943169799F, 0.30000303487152646F,  0.16057477450201443F,
                                     0.10647466398081019F, 0.057793283033541094F, 0.1093405855576384F};
   static constexpr float kMoment[] = {0.99999996648567524F, 0.57143819497524451F, 0.3805101543893627F,
                                       0.28436666593618193F, 0.16004641476877846F, 0.33617199392187502F};
@@ -59,9 +65,9 @@ template <class V>
 struct Plane {
   Vector3<V> e1, e2;
   V e11, e22, e12;
-  V normal_sq;       ///< (twice the area)^2
-  V disc_sq;         ///< (radius of the disc)^2 normal_sq
-  V over_disc_sq;    ///< its inverse
+  V normal_sq;     ///< (twice the area)^2
+  V disc_sq;       ///< (radius of the disc)^2 normal_sq
+  V over_disc_sq;  ///< its inverse
 };
 
 template <class Real, class V>
@@ -104,8 +110,8 @@ inline Segment<V> segment_over(V chord_sq, const Plane<V>& p, V s) {
           spread(Real(1.0 / 120)) * chord_sq * slope_sq * polynomial(Arc<Real>::kMoment, s)};
 }
 
-/// Where the edge with product `along` = <corner, edge> and squared length `length_sq` crosses the sphere, as a fraction
-/// of it; the corner inside and the other end outside, or the other way round.
+/// Where the edge with product `along` = <corner, edge> and squared length `length_sq` crosses the sphere, as a
+/// fraction of it; the corner inside and the other end outside, or the other way round.
 template <class Real, class V, class M>
 inline V crossing(V along, V length_sq, V power, M inside) {
   const V zero = spread(Real(0));
