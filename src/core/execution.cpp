@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -76,9 +77,15 @@ class ThreadGroup {
   ~ThreadGroup() {
     for (std::thread& thread : threads_) thread.join();
   }
+  /// False where the system allows no more threads.
   template <class Function>
-  void start(Function&& function) {
-    threads_.emplace_back(std::forward<Function>(function));
+  bool start(Function&& function) {
+    try {
+      threads_.emplace_back(std::forward<Function>(function));
+      return true;
+    } catch (const std::system_error&) {
+      return false;
+    }
   }
 
  private:
@@ -116,7 +123,8 @@ void parallel_for(std::size_t count, std::size_t block, const Execution& run,
   Loop loop(count, block, run, body);
   {
     ThreadGroup group;
-    for (int worker = 1; worker < threads; ++worker) group.start([&loop, worker] { loop.work(worker); });
+    int worker = 1;
+    while (worker < threads && group.start([&loop, worker] { loop.work(worker); })) ++worker;
     loop.work(0);
   }
   loop.finish();

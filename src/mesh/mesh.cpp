@@ -84,17 +84,16 @@ void validate(const Mesh& mesh) {
                                             std::to_string(faces) + " faces: give one a face, or none");
   for (std::size_t f = 0; f < faces; ++f) {
     const Faces::View face = mesh.faces[f];
-    const std::string name = "face " + std::to_string(f);
-    if (face.size() < 3)
-      throw Error(ErrorCode::InvalidData, name + " has " + std::to_string(face.size()) + " corners: at least 3 needed");
+    const auto refuse = [f](const std::string& what) {
+      throw Error(ErrorCode::InvalidData, "face " + std::to_string(f) + " has " + what);
+    };
+    if (face.size() < 3) refuse(std::to_string(face.size()) + " corners: at least 3 needed");
     for (const Index v : face) {
       if (v >= mesh.vertices.size())
-        throw Error(ErrorCode::InvalidData, name + " has vertex " + std::to_string(v) + ": indices must be below " +
-                                                std::to_string(mesh.vertices.size()));
+        refuse("vertex " + std::to_string(v) + ": indices must be below " + std::to_string(mesh.vertices.size()));
     }
     if (!(mesh.weight(f) > 0 && std::isfinite(mesh.weight(f))))
-      throw Error(ErrorCode::InvalidData,
-                  name + " has weight " + std::to_string(mesh.weight(f)) + ": weights must be positive and finite");
+      refuse("weight " + std::to_string(mesh.weight(f)) + ": weights must be positive and finite");
   }
 }
 

@@ -13,6 +13,8 @@ namespace kappa {
 namespace {
 
 constexpr std::size_t kBlock = 4096;
+/// What rounding leaves of votes that cancel, over the sum of their sizes.
+constexpr double kCancelled = 1e-12;
 
 Vec3 unit_or_zero(const Vec3& v) {
   const double length = v.stableNorm();
@@ -44,6 +46,7 @@ double corner_weight(NormalWeights weights, const Vec3& a, const Vec3& b, double
 Vec3 vertex_normal(const Mesh& mesh, const std::vector<Vec3>& vector_areas, const Adjacency& around, Index v,
                    NormalWeights weights) {
   Vec3 sum = Vec3::Zero();
+  double votes = 0;
   for (const Index* it = around.begin(v); it != around.end(v); ++it) {
     const Faces::View face = mesh.faces[*it];
     const double area = vector_areas[*it].stableNorm();
@@ -51,20 +54,24 @@ Vec3 vertex_normal(const Mesh& mesh, const std::vector<Vec3>& vector_areas, cons
     const std::size_t corner = static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin());
     const Vec3 a = mesh.vertices[face[(corner + 1) % face.size()]] - mesh.vertices[v];
     const Vec3 b = mesh.vertices[face[(corner + face.size() - 1) % face.size()]] - mesh.vertices[v];
-    sum += mesh.weight(*it) * corner_weight(weights, a, b, area) * (vector_areas[*it] / area);
+    const double vote = mesh.weight(*it) * corner_weight(weights, a, b, area);
+    sum += vote * (vector_areas[*it] / area);
+    votes += vote;
   }
-  return unit_or_zero(sum);
+  return sum.stableNorm() <= kCancelled * votes ? Vec3(Vec3::Zero()) : unit_or_zero(sum);
 }
 
 Vec3 averaged(const Normals& from, const Adjacency& near, Index v) {
   const Vec3& own = from[v];
   if (!is_finite(own) || own.isZero(0)) return own;
   Vec3 sum = own;
+  double votes = own.stableNorm();
   for (const Index* it = near.begin(v); it != near.end(v); ++it) {
-    if (is_finite(from[*it])) sum += from[*it];
+    if (!is_finite(from[*it])) continue;
+    sum += from[*it];
+    votes += from[*it].stableNorm();
   }
-  const Vec3 mean = unit_or_zero(sum);
-  return mean.isZero(0) ? own : mean;
+  return sum.stableNorm() <= kCancelled * votes ? own : unit_or_zero(sum);
 }
 
 }  // namespace
@@ -99,6 +106,7 @@ Normals average_normals(const Mesh& mesh, const Normals& normals, int passes, co
   if (normals.size() != mesh.vertices.size())
     throw Error(ErrorCode::InvalidArgument, std::to_string(normals.size()) + " normals for " +
                                                 std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
+  validate(mesh);
   Normals from = normals;
   if (passes == 0) return from;
   const Adjacency near = vertex_neighbours(mesh);

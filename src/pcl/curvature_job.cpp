@@ -76,7 +76,7 @@ Status status_of(const std::function<void()>& call) {
   } catch (const Error& e) {
     return {e.code(), e.what()};
   } catch (const Cancelled&) {
-    return {ErrorCode::Unavailable, "The computation was cancelled: there is no result."};
+    return {ErrorCode::Cancelled, "The computation was cancelled: there is no result."};
   } catch (const std::bad_alloc&) {
     return {ErrorCode::Unavailable, "Memory ran out: use fewer points."};
   } catch (const std::exception& e) {

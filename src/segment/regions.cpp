@@ -47,10 +47,18 @@ class RegionGraph {
     while (!small.empty()) {
       const Index from = small.begin()->second;
       small.erase(small.begin());
-      const Index to = best_neighbour(from);
+      Index to = best_neighbour(from);
       if (to == kNoIndex) continue;
-      small.erase({area_[to], to});
+      // All of that label that the small one touches become one, the one of fewer neighbours going into the other.
+      const std::vector<Index> touched = neighbours(from, labels_[to]);
+      for (const Index other : touched) small.erase({area_[other], other});
       absorb(from, to);
+      for (Index other : touched) {
+        other = root(other);
+        if (other == to) continue;
+        if (borders_[other].size() > borders_[to].size()) std::swap(other, to);
+        absorb(other, to);
+      }
       if (area_[to] < min_area) small.emplace(area_[to], to);
     }
   }
@@ -107,6 +115,14 @@ class RegionGraph {
       best = other;
     }
     return best;
+  }
+
+  std::vector<Index> neighbours(Index of, Label label) const {
+    std::vector<Index> found;
+    for (const auto& [other, length] : borders_[of]) {
+      if (labels_[other] == label) found.push_back(other);
+    }
+    return found;
   }
 
   void absorb(Index from, Index to) {
@@ -182,6 +198,7 @@ std::vector<Label> classify(const CurvatureField& field, double threshold) {
 Segmentation find_regions(const Mesh& mesh, const CurvatureField& field, const std::vector<Label>& labels,
                           const RegionOptions& options, const std::vector<Index>& twins) {
   check_sizes(mesh, field, labels, twins, options);
+  validate(mesh);
   RegionGraph graph(mesh, labels, twins);
   graph.merge_small(options.min_area);
   const std::map<Index, Index> number = number_regions(graph, labels.size());

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -108,6 +111,23 @@ TEST(ParallelFor, ProgressRisesOnTheCallingThread) {
     EXPECT_GE(reports, 1) << threads << " threads: a second of work without a report";
   }
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/// A process that may hardly grow can start a few threads at most: the loop is done by those.
+TEST(ParallelFor, GoesOnWithTheThreadsThatStart) {
+  const auto in_a_small_process = [] {
+    rlimit small{};
+    small.rlim_cur = small.rlim_max = 256UL << 20;
+    if (setrlimit(RLIMIT_AS, &small) != 0) std::exit(2);
+    std::atomic<int> sum{0};
+    parallel_for(10000, 1, with_threads(4096), [&](std::size_t begin, std::size_t end, int) {
+      for (std::size_t i = begin; i < end; ++i) ++sum;
+    });
+    std::exit(sum == 10000 ? 0 : 1);
+  };
+  EXPECT_EXIT(in_a_small_process(), ::testing::ExitedWithCode(0), "");
+}
+#endif
 
 TEST(ParallelFor, ExceptionOfTheProgressIsCarried) {
   Execution run = with_threads(2);

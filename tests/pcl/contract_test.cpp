@@ -298,7 +298,7 @@ TEST_F(Contract, ACloudWithoutAFinitePointIsRefused) {
 TEST_F(Contract, CancelLeavesAnEmptyOutput) {
   const std::atomic<bool> cancel(true);
   estimation.setCancel(&cancel);
-  expect_refused(ErrorCode::Unavailable, "cancelled");
+  expect_refused(ErrorCode::Cancelled, "cancelled");
   estimation.setCancel(nullptr);
   compute();
   EXPECT_EQ(out.size(), 1200U);

@@ -105,6 +105,37 @@ TEST(FindRegions, AChainOfSmallOnesGrowsUntilItIsLargeEnough) {
   EXPECT_EQ(one.table.size(), 1u);
 }
 
+TEST(FindRegions, MergingJoinsWhatItBringsTogether) {
+  Patch p = patch(41, Label::Flat);
+  paint(p, 0.45, 0.55, 0, 1, Label::Saddle);
+  EXPECT_EQ(find_regions(p.mesh, p.field, p.labels, {0.01}).table.size(), 3u);
+  const Segmentation s = find_regions(p.mesh, p.field, p.labels, {0.2});
+  ASSERT_EQ(s.table.size(), 1u);
+  EXPECT_NEAR(s.table[0].area, 1.0, 1e-12);
+  EXPECT_EQ(s.table[0].border, 0.0);
+}
+
+TEST(FindRegions, NeighboursHaveOneRegionExactlyIfTheyHaveOneLabel) {
+  Patch p = patch(41, Label::Flat);
+  std::uint32_t state = 1;
+  for (Label& label : p.labels) {
+    state = state * 1664525U + 1013904223U;
+    label = static_cast<Label>(1 + (state >> 24) % 6);
+  }
+  for (const double min_area : {0.0, 0.001, 0.01, 0.1, 0.4}) {
+    const Segmentation s = find_regions(p.mesh, p.field, p.labels, {min_area});
+    for (std::size_t f = 0; f < p.mesh.faces.size(); ++f) {
+      const Faces::View face = p.mesh.faces[f];
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const Index a = face[i], b = face[(i + 1) % face.size()];
+        ASSERT_EQ(s.labels[a] == s.labels[b], s.regions[a] == s.regions[b]) << min_area << " points " << a << ' ' << b;
+      }
+    }
+    for (const Region& r : s.table) EXPECT_GE(r.area, min_area);
+    EXPECT_NEAR(total_area(s), 1.0, 1e-12);
+  }
+}
+
 TEST(FindRegions, UndefinedPointsHaveNoRegionAndTakeNone) {
   Patch p = patch(21, Label::Flat);
   paint(p, 0.4, 0.6, 0, 1, Label::Undefined);
@@ -134,6 +165,8 @@ TEST(FindRegions, RefusesSizesThatDiffer) {
   EXPECT_THROW(find_regions(p.mesh, p.field, p.labels, {-1.0}), Error);
   EXPECT_THROW(find_regions(p.mesh, p.field, p.labels, {kNaN}), Error);
   EXPECT_THROW(find_regions(p.mesh, p.field, p.labels, {}, {1, 2}), Error);
+  p.mesh.faces.add(0, 1, 25);
+  EXPECT_THROW(find_regions(p.mesh, p.field, p.labels, {}), Error);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ enum class ErrorCode {
   FileFormat,  ///< malformed, or a format or variant that is not read
   FileWrite,
   Unavailable,  ///< something the machine lacks, such as a display
+  Cancelled     ///< stopped by `Execution::cancel`; only in a Status, since a call that may throw throws `Cancelled`
 };
 
 /// A call that cannot be served. The message names what was wrong (parameter or

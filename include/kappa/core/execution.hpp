@@ -10,7 +10,8 @@ namespace kappa {
 
 /// How a long computation is run; it never changes what is computed.
 struct Execution {
-  /// Number of threads, 0 = all the machine has. Any number gives the same bits.
+  /// Number of threads, 0 = all the machine has. Any number gives the same bits, also where the system lets fewer
+  /// start.
   int threads = 1;
   /// Seed of whatever draws random numbers.
   std::uint64_t seed = 0;

@@ -19,12 +19,14 @@ Vec3 polygon_vector_area(const Mesh& mesh, std::size_t face);
 
 /// Unit normals of the vertices from those of the faces around them, #V. A face counts with its
 /// weight; a face of zero area does not vote; a vertex that no face votes for, or whose votes
-/// cancel, gets the zero vector. Faces with a corner that is not finite are left out.
+/// cancel to 1e-12 of their sum, gets the zero vector. Faces with a corner that is not finite are left out.
+/// @throws Error InvalidData as `validate` does.
 Normals vertex_normals(const Mesh& mesh, NormalWeights weights, const Execution& run = {});
 
 /// `passes` passes of u_i <- normalise(u_i + sum of u_j over the edge neighbours j), all at once
-/// (Jacobi). Zero and non-finite normals do not vote and stay as they are.
-/// @throws Error InvalidArgument if passes is negative or normals.size() differs from #V.
+/// (Jacobi). Zero and non-finite normals do not vote and stay as they are, as does a normal that its neighbours cancel
+/// to 1e-12.
+/// @throws Error InvalidArgument if passes is negative or normals.size() differs from #V, InvalidData as `validate`.
 Normals average_normals(const Mesh& mesh, const Normals& normals, int passes, const Execution& run = {});
 
 /// Unit vectors along `normals`; the zero vector for those that are zero or not finite.

@@ -17,6 +17,8 @@ struct Adjacency {
   const Index* end(std::size_t i) const { return items.data() + offsets[i + 1]; }
 };
 
+/// The functions below take a mesh that `validate` accepts.
+
 /// Faces around each vertex, in increasing order; a face that has a vertex twice stands twice.
 Adjacency faces_of_vertices(const Mesh& mesh);
 

@@ -38,7 +38,7 @@ struct Region {
   Label label = Label::Undefined;
   std::size_t points = 0;
   double area = 0;               ///< a third of the faces around its points, by weight; length^2
-  double border = 0;             ///< length of its border with other regions
+  double border = 0;             ///< length of its border with other regions and with undefined points
   Vec3 centroid = Vec3::Zero();  ///< mean of its points, in local coordinates
   double mean_curvature = kNaN, gaussian_curvature = kNaN;  ///< medians over its valid points
 };
@@ -52,10 +52,11 @@ struct Segmentation {
 
 /// Connected components of the points of one label, joined along edges of faces. Regions smaller than
 /// `min_area` are merged, smallest first, into the neighbour they share the longest border with; the
-/// border inside a face runs through the midpoints of its edges. A region without neighbour stays.
+/// border inside a face runs through the midpoints of its edges. Regions of one label that come to touch by that are
+/// joined, so that neighbours always differ in label. A region without neighbour stays.
 /// `twins`, if not empty, gives for each point another one at the same position that it belongs
 /// with (CloudSurface::representative), kNoIndex for none.
-/// @throws Error InvalidArgument if sizes differ or min_area is negative or not finite.
+/// @throws Error InvalidArgument if sizes differ or min_area is negative or not finite, InvalidData as `validate`.
 Segmentation find_regions(const Mesh& mesh, const CurvatureField& field, const std::vector<Label>& labels,
                           const RegionOptions& options, const std::vector<Index>& twins = {});
 
