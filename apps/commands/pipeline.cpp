@@ -29,6 +29,17 @@ void refuse_degrees(const std::string& input, const Scan& scan) {
 
 }  // namespace
 
+/// Directions as the coordinates are, in those of the file.
+void turn_directions(const HeightUnit& heights, std::vector<CurvatureField>& fields) {
+  if (heights.z_scale() == 1) return;
+  for (CurvatureField& field : fields) {
+    for (CurvatureSample& s : field.samples) {
+      s.k.dir_min = heights.direction_of_file(s.k.dir_min);
+      s.k.dir_max = heights.direction_of_file(s.k.dir_max);
+    }
+  }
+}
+
 /// Curvatures of each point's own triangles, for a surface without faces.
 std::vector<CurvatureField> measure_points(const SurfaceResult& result, TriangleScheme scheme,
                                            const SurfaceOptions& options, const Execution& run) {
@@ -36,7 +47,10 @@ std::vector<CurvatureField> measure_points(const SurfaceResult& result, Triangle
   triangles.scheme = scheme;
   triangles.neighbours = options.neighbours.value_or(triangles.neighbours);
   triangles.triangles = options.triangles;
-  return {random_triangle_curvatures(result.surface.mesh.vertices, result.surface.u, triangles, run)};
+  std::vector<CurvatureField> fields = {
+      random_triangle_curvatures(result.surface.mesh.vertices, result.surface.u, triangles, run)};
+  turn_directions(result.filtered.heights, fields);
+  return fields;
 }
 
 void check_fields(const std::string& input, const std::vector<CurvatureField>& fields) {
@@ -52,6 +66,7 @@ void declare_files(CLI::App& command, SurfaceCommand& arguments, const std::stri
   command.add_option("input", arguments.input, "Scan or mesh: .pcd .ply .obj .off .stl .vtp .las .xyz .pts .txt .csv")
       ->required();
   command.add_option("output", arguments.output, "Result: " + outputs)->required();
+  declare(command, arguments.filters);
 }
 
 void declare_stages(CLI::App& command, CurvatureArguments& arguments) {
@@ -61,11 +76,17 @@ void declare_stages(CLI::App& command, CurvatureArguments& arguments) {
 }
 
 SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages) {
-  const SurfaceOptions options = surface_options(arguments.surface);
+  SurfaceOptions options = surface_options(arguments.surface);
+  check(arguments.filters);
   SurfaceResult r;
   r.scan = stages.run("read", [&](const Execution&) { return read_scan(arguments.input); });
   refuse_degrees(arguments.input, r.scan);
+  if (!arguments.run.quiet) warn(unit_warning(r.scan, arguments.input, arguments.filters));
+  r.filtered = stages.run(
+      "filter", [&](const Execution& run) { return filter(r.scan, arguments.input, arguments.filters, run); });
+  if (options.viewpoint) options.viewpoint->z() *= r.filtered.heights.z_scale();
   r.surface = stages.run("surface", [&](const Execution& run) { return make_surface(r.scan, options, run); });
+  r.filtered.restore(r.scan);
   if (arguments.surface.flip) r.surface.u = flipped(r.surface.u);
   return r;
 }
@@ -117,6 +138,7 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
   for (const double radius : radii)
     fields.push_back(radius > 0 ? std::move(*next++)
                                 : estimate_at_vertices(measured.balls->triangles(), s.u, arguments.limit, run));
+  turn_directions(measured.filtered.heights, fields);
   return fields;
 }
 
@@ -152,7 +174,7 @@ Scan output_scan(const SurfaceResult& result) {
   out.viewpoint = in.viewpoint;
   out.las = in.las;
   for (Vec3& u : out.normals) {
-    if (u.isZero(0)) u.setConstant(kNaN);
+    u = u.isZero(0) ? Vec3::Constant(kNaN) : result.filtered.heights.normal_of_file(u);
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "filters.hpp"
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/mesh.hpp"
 #include "progress.hpp"
@@ -16,6 +17,7 @@ namespace kappa::app {
 struct SurfaceCommand {
   std::string input, output;
   RunOptions run;
+  FilterArguments filters;
   SurfaceArguments surface;
 };
 /// `outputs` lists the extensions that can be written.
@@ -29,8 +31,9 @@ void declare_stages(CLI::App& command, CurvatureArguments& arguments);
 
 /// A scan and its surface, with the normals turned round if asked.
 struct SurfaceResult {
-  Scan scan;
-  Surface surface;
+  Scan scan;  ///< what the filters left, in the coordinates of the file
+  Filtered filtered;
+  Surface surface;  ///< its heights in the unit of x and y
 };
 SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages);
 

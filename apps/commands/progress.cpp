@@ -41,6 +41,12 @@ void clear_progress() {
   if (g_bar_shown.exchange(false)) std::fputs("\r\033[K", stderr);
 }
 
+void warn(const std::string& warning) {
+  if (warning.empty()) return;
+  clear_progress();
+  std::fprintf(stderr, "kappa: warning: %s\n", warning.c_str());
+}
+
 Stages::Stages(int threads, std::uint64_t seed, bool quiet)
     : threads_(threads), seed_(seed), bar_(!quiet && isatty(STDERR_FILENO) == 1) {}
 

@@ -18,6 +18,9 @@ const std::atomic<bool>& interrupted();
 /// Wipes the bar, if one is shown.
 void clear_progress();
 
+/// Says `warning` on the standard error, if it is not empty.
+void warn(const std::string& warning);
+
 /// Times the stages of a command and shows a bar for each on a terminal.
 class Stages {
  public:

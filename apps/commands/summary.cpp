@@ -28,6 +28,8 @@ std::array<std::size_t, kLabelCount> count_labels(const std::vector<Label>& labe
 
 void print_points(const Measured& m) {
   const Surface& s = m.surface;
+  const std::string filtered = describe(m.filtered);
+  if (!filtered.empty()) std::printf("filter      %s\n", filtered.c_str());
   std::printf("points      %zu", m.scan.points.size());
   if (s.duplicate_points) std::printf(", %zu at the position of another", s.duplicate_points);
   if (s.invalid_points) std::printf(", %zu without a position", s.invalid_points);
@@ -142,6 +144,7 @@ void print_json(const CurvatureArguments& arguments, const Measured& m, const st
                           .add("input", arguments.input)
                           .add("output", arguments.output)
                           .add("points", m.scan.points.size())
+                          .add("filter", to_json(m.filtered))
                           .add("faces", s.mesh.faces.size())
                           .add("dropped_faces", dropped_faces(m))
                           .add("cut_faces", s.cut_faces)

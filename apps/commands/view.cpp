@@ -19,6 +19,7 @@ struct ViewArguments {
 
 void declare_view(CLI::App& command, ViewArguments& arguments) {
   command.add_option("input", arguments.curvature.input, "Scan or mesh")->required();
+  declare(command, arguments.curvature.filters);
   declare_up_axis(command, arguments.up);
   declare_stages(command, arguments.curvature);
   command.add_option("--pictures", arguments.picture_folder, "Folder that the key c saves pictures in")
