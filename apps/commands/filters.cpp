@@ -83,8 +83,8 @@ std::size_t keep_ground(Scan& scan, const std::string& path, const FilterArgumen
     throw Error(ErrorCode::InvalidArgument, "'" + path + "' is a mesh, whose faces need all points; give a cloud");
   const double metre = 1 / length_units(scan).horizontal.value_or(1);
   const std::vector<Vec3> points = with_heights_scaled(scan.points, z_scale);
-  const std::vector<char> ground =
-      arguments.ground == "pmf" ? ground_by_pmf(points, arguments, metre) : ground_by_smrf(points, arguments, metre, run);
+  const std::vector<char> ground = arguments.ground == "pmf" ? ground_by_pmf(points, arguments, metre)
+                                                             : ground_by_smrf(points, arguments, metre, run);
   const auto kept = static_cast<std::size_t>(std::count(ground.begin(), ground.end(), 1));
   if (kept == 0) throw Error(ErrorCode::InvalidData, "'" + path + "': no point is ground; leave --ground out");
   leave_out(scan, ground);
@@ -162,8 +162,9 @@ std::string unit_warning(const Scan& scan, const std::string& path, const Filter
   if (arguments.z_scale || factor == 1) return "";
   std::array<char, 32> number;
   std::snprintf(number.data(), number.size(), "%.10g", factor);
-  return path + ": its coordinate system states another unit for heights than for x and y, so that curvatures are wrong; "
-                "give --z-scale " +
+  return path +
+         ": its coordinate system states another unit for heights than for x and y, so that curvatures are wrong; "
+         "give --z-scale " +
          number.data();
 }
 

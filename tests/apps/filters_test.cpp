@@ -50,8 +50,8 @@ TEST(Filters, OnlyTheRowsAskedForLeave) {
   const Folder f;
   const std::string in = written(f, "in.las", scene());
   const Scan all = read_scan(in);
-  const Outcome done = curvature(f, in, "out.las",
-                                 {"--class", "2,9", "--returns", "last", "--bounds", "400000,5400000,400030,5400030"});
+  const Outcome done =
+      curvature(f, in, "out.las", {"--class", "2,9", "--returns", "last", "--bounds", "400000,5400000,400030,5400030"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_NE(done.out.find("filter      4000 points read; taken away: "), std::string::npos) << done.out;
   const Scan out = read_scan(f.file("out.las"));
@@ -96,10 +96,10 @@ TEST(Filters, GroundLosesTheBox) {
 /// Heights of a torus in another unit.
 TEST(Filters, HeightsInAnotherUnitGiveTheSameCurvature) {
   const Folder f;
-  ASSERT_EQ(run({"generate", "torus", f.file("torus.ply"), "--slices", "60", "--sides", "40", "--origin",
-                 "1000,2000,300"})
-                .exit_code,
-            0);
+  ASSERT_EQ(
+      run({"generate", "torus", f.file("torus.ply"), "--slices", "60", "--sides", "40", "--origin", "1000,2000,300"})
+          .exit_code,
+      0);
   constexpr double kFoot = 0.3048;
   const Scan torus = read_scan(f.file("torus.ply"));
   Scan squeezed = torus;
