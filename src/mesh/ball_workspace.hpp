@@ -13,9 +13,12 @@ static_assert(sizeof(MeasureSum) == kernels::kSums * sizeof(double), "kernels ad
 static_assert(sizeof(std::array<Index, 3>) == 3 * sizeof(std::uint32_t) && sizeof(Vec3) == 3 * sizeof(double),
               "kernels read corners and vectors as plain arrays");
 
+/// To be made once: it looks at all weights.
 inline kernels::TriangleView view_of(const MeasuredTriangles& t) {
   if (t.size() == 0) return {};
-  return {t.size(), &t.measures[0].area, t.corners[0].data(), t.x[0].data(), t.u[0].data(), t.weights.data()};
+  const bool weighted = std::any_of(t.weights.begin(), t.weights.end(), [](double w) { return w != 1; });
+  return {t.size(),       &t.measures[0].area, t.corners[0].data(), t.x[0].data(),
+          t.u[0].data(), weighted ? t.weights.data() : nullptr};
 }
 
 /// Radii in increasing order, and where each stood.
@@ -92,8 +95,8 @@ class BallWorkspace {
     BallMeasures m;
     m.sum.area = b.sum[0];
     m.sum.mu0 = b.sum[1] + lanes(0);
-    m.sum.mu2 = b.sum[2] + lanes(1);
-    for (int i = 0; i < 6; ++i) m.sum.mu_sym[static_cast<std::size_t>(i)] = b.sum[3 + i] + lanes(2 + i);
+    m.sum.mu2 = b.sum[2];
+    for (int i = 0; i < 6; ++i) m.sum.mu_sym[static_cast<std::size_t>(i)] = b.sum[3 + i] + lanes(1 + i);
     m.sum += direct_[r].sum;
     m.face_count = static_cast<Index>(b.faces) + direct_[r].face_count;
     return m;

@@ -16,7 +16,6 @@ using kernels::Leaf;
 using kernels::TreeView;
 
 constexpr std::size_t kBlock = 64;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Puts the triangles in the order given.
 void permute(MeasuredTriangles& t, const std::vector<Index>& order) {
@@ -114,29 +113,36 @@ std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& f
   return levels;
 }
 
-void set_origin(Leaf<double>&, const Vec3&) {}
-void set_origin(Leaf<float>& leaf, const Vec3& origin) {
+Vec3 set_origin(Leaf<double>&, const Vec3&) {
+  return Vec3::Zero();
+}
+Vec3 set_origin(Leaf<float>& leaf, const Vec3& origin) {
   std::copy_n(origin.data(), 3, leaf.origin);
+  return origin;
 }
 
-double origin_of(const Leaf<double>&, int) {
-  return 0;
-}
-double origin_of(const Leaf<float>& leaf, int axis) {
-  return leaf.origin[axis];
+void set_normals(Leaf<double>&, std::size_t, const MeasuredTriangles&, std::size_t) {}
+void set_normals(Leaf<float>& leaf, std::size_t lane, const MeasuredTriangles& t, std::size_t triangle) {
+  const auto& c = t.corners[triangle];
+  for (int i = 0; i < 6; ++i)
+    leaf.x[9 + i][lane] = static_cast<float>(t.u[c[i < 3 ? 1 : 2]][i % 3] - t.u[c[0]][i % 3]);
 }
 
 template <class Real>
 std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t) {
   std::vector<Leaf<Real>> leaves((t.size() + kWidth - 1) / kWidth);
-  for (std::size_t place = 0; place < kWidth * leaves.size(); ++place) {
-    Leaf<Real>& leaf = leaves[place / kWidth];
-    const std::size_t lane = place % kWidth;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3 x = place < t.size() ? t.x[t.corners[place][corner]] : Vec3(Vec3::Constant(kInfinity));
-      if (lane == 0 && corner == 0) set_origin(leaf, x);
-      for (int axis = 0; axis < 3; ++axis)
-        leaf.x[3 * static_cast<int>(corner) + axis][lane] = static_cast<Real>(x[axis] - origin_of(leaf, axis));
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    Leaf<Real>& leaf = leaves[i];
+    const Vec3 origin = set_origin(leaf, t.x[t.corners[kWidth * i][0]]);
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      const std::size_t triangle = kWidth * i + lane;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3 x = triangle < t.size() ? Vec3(t.x[t.corners[triangle][corner]] - origin)
+                                           : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          leaf.x[3 * corner + axis][lane] = static_cast<Real>(x[static_cast<Eigen::Index>(axis)]);
+      }
+      if (triangle < t.size()) set_normals(leaf, lane, t, triangle);
     }
   }
   return leaves;
@@ -156,7 +162,7 @@ template <class Real>
 class Hierarchy {
  public:
   explicit Hierarchy(const MeasuredTriangles& t)
-      : frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t)) {}
+      : triangles_(view_of(t)), frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t)) {}
 
   std::size_t bytes() const {
     std::size_t total = leaves_.capacity() * sizeof(Leaf<Real>);
@@ -165,9 +171,9 @@ class Hierarchy {
     return total;
   }
 
-  TreeView<Real> view(const MeasuredTriangles& t) const {
+  TreeView<Real> view() const {
     TreeView<Real> v{};
-    v.triangles = view_of(t);
+    v.triangles = triangles_;
     v.levels = static_cast<int>(levels_.size());
     for (std::size_t i = 0; i < levels_.size(); ++i) v.level[i] = {levels_[i].boxes.data(), &levels_[i].sums[0].area};
     v.leaves = leaves_.data();
@@ -179,7 +185,7 @@ class Hierarchy {
   void sum(const MeasuredTriangles& t, const kernels::Table& table, const std::vector<Vec3>& centres,
            const std::vector<double>& radii, BallDefinition ball, const Execution& run,
            const BallSum::Sink& sink) const {
-    const TreeView<Real> tree = view(t);
+    const TreeView<Real> tree = view();
     const SortedRadii sorted(radii);
     const std::vector<Index> order = spatial_order(centres);
     auto spaces = workspaces<Real>(t, sorted, ball, run);
@@ -195,6 +201,7 @@ class Hierarchy {
   }
 
  private:
+  kernels::TriangleView triangles_;
   BoxFrame frame_;
   std::vector<LevelData> levels_;
   std::vector<Leaf<Real>> leaves_;

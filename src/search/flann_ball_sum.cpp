@@ -62,6 +62,7 @@ struct FlannBallSum::Impl {
   std::vector<double> bounds;  ///< of each triangle
   std::vector<SizeClass> classes;
   const kernels::Table& table = kernels::best_table();
+  kernels::TriangleView view;
 
   explicit Impl(MeasuredTriangles measured) : triangles(std::move(measured)) {
     std::map<int, std::vector<Index>> octaves;
@@ -71,6 +72,7 @@ struct FlannBallSum::Impl {
       octaves[octave].push_back(static_cast<Index>(i));
     }
     for (auto& [octave, members] : octaves) classes.push_back(make_class(triangles, bounds, std::move(members)));
+    view = view_of(triangles);
   }
 
   /// Adds what the search found to a ball: by the distance of their centroids and their bounding radii, triangles lie
@@ -92,7 +94,7 @@ struct FlannBallSum::Impl {
       }
     }
     w.balls.add_whole(static_cast<std::size_t>(radius), inside, count);
-    table.add(view_of(triangles), query, radius, w.rim.data(), w.rim.size());
+    table.add(view, query, radius, w.rim.data(), w.rim.size());
   }
 
   const BallMeasures* query(const Vec3& centre, double largest, Workspace& w) const {
@@ -103,7 +105,7 @@ struct FlannBallSum::Impl {
       c.centroids->within(centre, (largest + c.bound) * kMargin, w.found, w.distances_sq);
       for (int r = 0; r < query.count; ++r) add_found(c, r, query, w);
     }
-    for (int r = 0; r < query.count; ++r) table.finish(view_of(triangles), query, r);
+    for (int r = 0; r < query.count; ++r) table.finish(view, query, r);
     return w.balls.finish();
   }
 };

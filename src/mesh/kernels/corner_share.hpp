@@ -86,10 +86,21 @@ inline Plane<V> plane_of(const Corners<V>& t, V radius_sq) {
   return p;
 }
 
+template <class Real>
+struct CornerLimits;
+template <>
+struct CornerLimits<double> {
+  static constexpr double kTiny = 2e-5;  ///< height over radius
+};
+template <>
+struct CornerLimits<float> {
+  static constexpr float kTiny = 1e-4F;
+};
+
 /// Whether the forms keep their digits for triangles of that plane.
 template <class Real, class V>
 inline auto well_shaped(const Plane<V>& p, V e33, V radius_sq) {
-  constexpr Real kSliver = Limits<Real>::kSliver, kTiny = Limits<Real>::kTiny;
+  constexpr Real kSliver = Limits<Real>::kSliver, kTiny = CornerLimits<Real>::kTiny;
   const V longest_sq = max(p.e11, max(p.e22, e33));
   return (p.normal_sq >= spread(kSliver * kSliver) * longest_sq * longest_sq) &
          (p.normal_sq >= spread(kTiny * kTiny) * radius_sq * longest_sq) &

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #if defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -125,6 +127,56 @@ inline VF narrowed(VD low, VD high) {
   const HalfVF a = __builtin_convertvector(low, HalfVF), b = __builtin_convertvector(high, HalfVF);
   return VF{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
 }
+
+/// Moves the lanes of a mask to the front. The other lanes then hold anything.
+template <class V>
+struct Compression;
+
+#if defined(__AVX2__)
+/// For every mask of 8 lanes, the lanes that it has, a byte each.
+struct LaneLists {
+  std::uint64_t of[256];
+  constexpr LaneLists() : of() {
+    for (unsigned mask = 0; mask < 256; ++mask) {
+      int place = 0;
+      for (unsigned lane = 0; lane < 8; ++lane) {
+        if (mask >> lane & 1) of[mask] |= std::uint64_t{lane} << 8 * place++;
+      }
+    }
+  }
+};
+constexpr LaneLists kLaneLists;
+
+template <>
+struct Compression<VF> {
+  __m256i order;
+  explicit Compression(unsigned mask)
+      : order(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kLaneLists.of[mask])))) {}
+  VF operator()(VF v) const { return _mm256_permutevar8x32_ps(v, order); }
+};
+template <>
+struct Compression<VD> {
+  __m256i order;
+  // Lane i of 64 bits is the lanes 2 i and 2 i + 1 of 32.
+  explicit Compression(unsigned mask)
+      : order(Compression<VF>((mask & 1) * 3 | (mask & 2) * 6 | (mask & 4) * 12 | (mask & 8) * 24).order) {}
+  VD operator()(VD v) const {
+    return reinterpret_cast<VD>(_mm256_permutevar8x32_ps(reinterpret_cast<__m256>(v), order));
+  }
+};
+#else
+template <class V>
+struct Compression {
+  unsigned mask;
+  explicit Compression(unsigned of) : mask(of) {}
+  V operator()(V v) const {
+    V packed = v;
+    int place = 0;
+    for (unsigned rest = mask; rest != 0; rest &= rest - 1) packed[place++] = v[__builtin_ctz(rest)];
+    return packed;
+  }
+};
+#endif
 
 template <class V>
 struct Vector2 {

@@ -20,51 +20,47 @@ struct Reach<float> {
   static constexpr float kOut = 1 + 4e-6F;
 };
 
-/// 8 triangles relative to the centre.
+/// As many triangles as a vector has lanes, relative to the centre.
 template <class Real>
 struct Placed {
-  static constexpr int kParts = kWidth / Lanes<Real>::kCount;
   using V = Vector<Real>;
-  Real x[9][kWidth];
-  Real distance_sq[3][kWidth];  ///< of the corners, less `base`
-  V least[kParts];              ///< lower bound over the triangle of the squared distance: that of its box
+  V x[9];
+  V distance_sq[3];  ///< of the corners, less `base`
+  V least;           ///< lower bound over the triangle of the squared distance: that of its box
   double base;
 };
 
 /// Distances of the corners from the centre.
-inline void place(const Leaf<double>& leaf, const double* centre, Placed<double>& p) {
+inline void place(const Leaf<double>& leaf, int at, const double* centre, Placed<double>& p) {
   const VD zero = spread(0.0);
+  VD a_sq = zero, b_sq = zero, c_sq = zero, least = zero;
   p.base = 0;
-  for (int part = 0; part < 2; ++part) {
-    const int at = 4 * part;
-    VD a_sq = zero, b_sq = zero, c_sq = zero, least = zero;
-    // Without inner loops: the compiler keeps all of it in registers.
-    const auto add_axis = [&](int axis) {
-      const VD by = spread(centre[axis]);
-      const VD a = load<VD>(leaf.x[axis] + at) - by, b = load<VD>(leaf.x[3 + axis] + at) - by;
-      const VD c = load<VD>(leaf.x[6 + axis] + at) - by;
-      store(p.x[axis] + at, a);
-      store(p.x[3 + axis] + at, b);
-      store(p.x[6 + axis] + at, c);
-      a_sq += a * a;
-      b_sq += b * b;
-      c_sq += c * c;
-      const VD gap = max(max(min(a, min(b, c)), -max(a, max(b, c))), zero);
-      least += gap * gap;
-    };
-    add_axis(0);
-    add_axis(1);
-    add_axis(2);
-    store(p.distance_sq[0] + at, a_sq);
-    store(p.distance_sq[1] + at, b_sq);
-    store(p.distance_sq[2] + at, c_sq);
-    p.least[part] = least;
-  }
+  // Without inner loops: the compiler keeps all of it in registers.
+  const auto add_axis = [&](int axis) {
+    const VD by = spread(centre[axis]);
+    const VD a = load<VD>(leaf.x[axis] + at) - by, b = load<VD>(leaf.x[3 + axis] + at) - by;
+    const VD c = load<VD>(leaf.x[6 + axis] + at) - by;
+    p.x[axis] = a;
+    p.x[3 + axis] = b;
+    p.x[6 + axis] = c;
+    a_sq += a * a;
+    b_sq += b * b;
+    c_sq += c * c;
+    const VD gap = max(max(min(a, min(b, c)), -max(a, max(b, c))), zero);
+    least += gap * gap;
+  };
+  add_axis(0);
+  add_axis(1);
+  add_axis(2);
+  p.distance_sq[0] = a_sq;
+  p.distance_sq[1] = b_sq;
+  p.distance_sq[2] = c_sq;
+  p.least = least;
 }
 
 /// In floats the squared distance of a corner o + a, o the origin of the leaf, is taken as 2 o.a + a.a over o.o, for
 /// the sake of digits: on the rim of a large ball both are small.
-inline void place(const Leaf<float>& leaf, const double* centre, Placed<float>& p) {
+inline void place(const Leaf<float>& leaf, int, const double* centre, Placed<float>& p) {
   const VF zero = spread(0.0F);
   VF a_sq = zero, b_sq = zero, c_sq = zero, least = zero;
   p.base = 0;
@@ -76,80 +72,115 @@ inline void place(const Leaf<float>& leaf, const double* centre, Placed<float>& 
     a_sq += a * (twice + a);
     b_sq += b * (twice + b);
     c_sq += c * (twice + c);
-    store(p.x[axis], a + by);
-    store(p.x[3 + axis], b + by);
-    store(p.x[6 + axis], c + by);
+    p.x[axis] = a + by;
+    p.x[3 + axis] = b + by;
+    p.x[6 + axis] = c + by;
     const VF gap = max(max(min(a, min(b, c)) + by, -(max(a, max(b, c)) + by)), zero);
     least += gap * gap;
   };
   add_axis(0);
   add_axis(1);
   add_axis(2);
-  store(p.distance_sq[0], a_sq);
-  store(p.distance_sq[1], b_sq);
-  store(p.distance_sq[2], c_sq);
-  p.least[0] = least;
+  p.distance_sq[0] = a_sq;
+  p.distance_sq[1] = b_sq;
+  p.distance_sq[2] = c_sq;
+  p.least = least;
 }
 
-template <class Real>
-inline unsigned at_most(const Real* values, Real bound) {
-  using V = Vector<Real>;
-  unsigned mask = 0;
-  for (int at = 0; at < kWidth; at += Lanes<Real>::kCount) mask |= bits(load<V>(values + at) <= spread(bound)) << at;
-  return mask;
+inline MD may_meet(const Placed<double>& p, double radius_sq) {
+  return p.least <= spread(radius_sq * Reach<double>::kOut);
+}
+inline MF may_meet(const Placed<float>& p, double radius_sq) {
+  return p.least <= spread(static_cast<float>(radius_sq) * Reach<float>::kOut);
 }
 
-inline unsigned may_meet(const Placed<double>& p, double radius_sq) {
-  const VD bound = spread(radius_sq * Reach<double>::kOut);
-  return bits(p.least[0] <= bound) | bits(p.least[1] <= bound) << 4;
+/// Names of the triangles in the lanes, the number of the first corner in them: in place of numbers of lanes.
+inline VD named(VD triangles, MD second, MD third) {
+  constexpr long long kTurn = 1LL << 32;
+  return reinterpret_cast<VD>(reinterpret_cast<MD>(triangles) | (second & MD{kTurn, kTurn, kTurn, kTurn}) |
+                              (third & MD{2 * kTurn, 2 * kTurn, 2 * kTurn, 2 * kTurn}));
 }
-inline unsigned may_meet(const Placed<float>& p, double radius_sq) {
-  return bits(p.least[0] <= spread(static_cast<float>(radius_sq) * Reach<float>::kOut));
+inline VF named(VF triangles, MF, MF) {
+  return triangles;
 }
 
-template <class Real>
-inline void let_wait(const Placed<Real>& p, int lane, int turn, Real power, std::uint32_t triangle, Waiting<Real>& w) {
-  static constexpr int kRow[3][3] = {{0, 3, 6}, {3, 6, 0}, {6, 0, 3}};
-  const int place = w.count++;
-  const int* const rows = kRow[turn];
-  for (int corner = 0; corner < 3; ++corner) {
-    for (int axis = 0; axis < 3; ++axis) w.x[3 * corner + axis][place] = p.x[rows[corner] + axis][lane];
+/// Rows of the differences of the normals, in floats.
+inline void let_normals_wait(const Leaf<double>&, const Compression<VD>&, MD, MD, Waiting<double>&) {}
+inline void let_normals_wait(const Leaf<float>& leaf, const Compression<VF>& packed, MF second, MF third,
+                             Waiting<float>& w) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const VF d1 = load<VF>(leaf.x[9 + axis]), d2 = load<VF>(leaf.x[12 + axis]);
+    store(w.x[9 + axis] + w.count, packed(select(second, d2 - d1, select(third, -d2, d1))));
+    store(w.x[12 + axis] + w.count, packed(select(second, -d1, select(third, d1 - d2, d2))));
   }
-  w.power[place] = power;
-  w.triangle[place] = triangle;
-  w.turn[place] = static_cast<std::uint32_t>(turn);
 }
 
-/// Adds the 8 triangles, of which the mask `present` counts, to one ball. `sums`: of all of them, or null.
-template <class Real, class Number>
-inline void add_placed(const Rim<Real>& rim, const Placed<Real>& p, unsigned present, const double* sums,
-                       const Number& number) {
+/// Lets the triangles in the lanes of `mask` wait, turned so that their second or third corner comes first.
+template <class Real, class M>
+inline void let_wait(const Leaf<Real>& leaf, const Placed<Real>& p, Vector<Real> triangles, M mask, M second, M third,
+                     Vector<Real> power, Waiting<Real>& w) {
+  using V = Vector<Real>;
+  const unsigned chosen = bits(mask);
+  const Compression<V> packed(chosen);
+  for (int axis = 0; axis < 3; ++axis) {
+    const V a = p.x[axis], b = p.x[3 + axis], c = p.x[6 + axis];
+    store(w.x[axis] + w.count, packed(select(second, b, select(third, c, a))));
+    store(w.x[3 + axis] + w.count, packed(select(second, c, select(third, a, b))));
+    store(w.x[6 + axis] + w.count, packed(select(second, a, select(third, b, c))));
+  }
+  store(w.power + w.count, packed(power));
+  store(w.id + w.count, packed(named(triangles, second, third)));
+  let_normals_wait(leaf, packed, second, third, w);
+  w.count += __builtin_popcount(chosen);
+}
+
+/// Adds the triangles placed, named in the lanes of `triangles` as WaitingId says, to one ball.
+template <class Real, class M>
+inline void add_placed(const Rim<Real>& rim, const Leaf<Real>& leaf, const Placed<Real>& p, Vector<Real> triangles,
+                       M in0, M in1, M in2) {
+  using V = Vector<Real>;
+  constexpr int kLanes = Lanes<Real>::kCount;
   const double radius_sq = rim.query.radii_sq[rim.radius];
-  const Real bound = static_cast<Real>(radius_sq - p.base);
-  const unsigned in0 = at_most(p.distance_sq[0], bound), in1 = at_most(p.distance_sq[1], bound);
-  const unsigned in2 = at_most(p.distance_sq[2], bound);
-  const unsigned all = in0 & in1 & in2 & present, any = (in0 | in1 | in2) & present;
-  if (sums && all == present) {
-    add_whole(rim.ball, sums, static_cast<unsigned>(__builtin_popcount(present)));
+  const M all = in0 & in1 & in2, any = in0 | in1 | in2, cut = any & ~all;
+  typename WaitingId<Real>::Type ids[kLanes];
+  store(ids, triangles);
+  for (unsigned rest = bits(all); rest != 0; rest &= rest - 1)
+    add_whole(rim.ball, rim.triangles.measures + kSums * triangle_of(ids[__builtin_ctz(rest)]), 1);
+  if (const unsigned chosen = bits(cut)) {
+    if (rim.ball.corners.count > kRim - kLanes) make_corners_wait(rim);
+    for (unsigned rest = chosen; rest != 0; rest &= rest - 1)
+      prefetch(rim.triangles.measures + kSums * triangle_of(ids[__builtin_ctz(rest)]));
+    const M second = (in0 ^ in1) & ~(in0 ^ in2), third = (in0 ^ in2) & ~(in0 ^ in1);
+    const V bound = spread(static_cast<Real>(radius_sq - p.base));
+    const V first = select(second, p.distance_sq[1], select(third, p.distance_sq[2], p.distance_sq[0]));
+    let_wait(leaf, p, triangles, cut, second, third, first - bound, rim.ball.corners);
+  }
+  const M outside = may_meet(p, radius_sq) & ~any;
+  if (!bits(outside)) return;
+  if (rim.ball.outside.count > kRim - kLanes) make_outside_wait(rim);
+  const M none = outside & ~outside;
+  let_wait(leaf, p, triangles, outside, none, none, p.least, rim.ball.outside);
+}
+
+/// Adds 8 triangles to one ball. `sums`: of all of them, or null; `faces`: how many there are of them.
+template <class Real>
+inline void add_leaf_to(const Rim<Real>& rim, const Leaf<Real>& leaf, const Placed<Real> (&p)[kWidth / Lanes<Real>::kCount],
+                        const Vector<Real> (&triangles)[kWidth / Lanes<Real>::kCount], const double* sums,
+                        unsigned faces) {
+  constexpr int kParts = kWidth / Lanes<Real>::kCount;
+  Mask<Real> in[kParts][3];
+  unsigned all = 0;
+  for (int part = 0; part < kParts; ++part) {
+    const auto bound = spread(static_cast<Real>(rim.query.radii_sq[rim.radius] - p[part].base));
+    for (int corner = 0; corner < 3; ++corner) in[part][corner] = p[part].distance_sq[corner] <= bound;
+    all += static_cast<unsigned>(__builtin_popcount(bits(in[part][0] & in[part][1] & in[part][2])));
+  }
+  if (sums && all == faces) {
+    add_whole(rim.ball, sums, faces);
     return;
   }
-  for (unsigned rest = all; rest != 0; rest &= rest - 1)
-    add_whole(rim.ball, rim.triangles.measures + kSums * std::size_t{number(__builtin_ctz(rest))}, 1);
-  const unsigned odd1 = (in0 ^ in1) & ~(in0 ^ in2), odd2 = (in0 ^ in2) & ~(in0 ^ in1);
-  if (rim.ball.corners.count > kRim - kWidth) make_corners_wait(rim);
-  for (unsigned rest = any & ~all; rest != 0; rest &= rest - 1) {
-    const int lane = __builtin_ctz(rest), turn = static_cast<int>((odd1 >> lane & 1) | (odd2 >> lane & 1) << 1);
-    const std::uint32_t triangle = number(lane);
-    prefetch(rim.triangles.measures + kSums * std::size_t{triangle});
-    let_wait(p, lane, turn, p.distance_sq[turn][lane] - bound, triangle, rim.ball.corners);
-  }
-  const unsigned outside = may_meet(p, radius_sq) & ~any & present;
-  if (!outside) return;
-  if (rim.ball.outside.count > kRim - kWidth) make_outside_wait(rim);
-  for (unsigned rest = outside; rest != 0; rest &= rest - 1) {
-    const int lane = __builtin_ctz(rest);
-    let_wait(p, lane, 0, Real(0), number(lane), rim.ball.outside);
-  }
+  for (int part = 0; part < kParts; ++part)
+    add_placed(rim, leaf, p[part], triangles[part], in[part][0], in[part][1], in[part][2]);
 }
 
 }  // namespace

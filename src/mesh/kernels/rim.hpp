@@ -24,11 +24,32 @@ struct Rim {
   Gathering<Real>& ball;
 };
 
+/// Lanes [0, count) of a vector.
+inline MD first_lanes(double count) {
+  return VD{0, 1, 2, 3} < spread(count);
+}
+inline MF first_lanes(float count) {
+  return VF{0, 1, 2, 3, 4, 5, 6, 7} < spread(count);
+}
+
 template <class Real>
 inline Corners<Vector<Real>> corners_at(const Waiting<Real>& w, int first) {
   using V = Vector<Real>;
   const auto row = [&](int i) { return load<V>(w.x[i] + first); };
   return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}};
+}
+
+inline void hand_on_name(const Waiting<double>& w, int from, int turn, Waiting<double>& to, int place) {
+  const std::uint64_t of = (w.id[from] >> 32) + static_cast<std::uint64_t>(turn);
+  to.id[place] = triangle_of(w.id[from]) | (of % 3) << 32;
+}
+inline void hand_on_name(const Waiting<float>& w, int from, int turn, Waiting<float>& to, int place) {
+  to.id[place] = w.id[from];
+  for (int axis = 0; axis < 3; ++axis) {
+    const float d1 = w.x[9 + axis][from], d2 = w.x[12 + axis][from];
+    to.x[9 + axis][place] = turn == 0 ? d1 : turn == 1 ? d2 - d1 : -d2;
+    to.x[12 + axis][place] = turn == 0 ? d2 : turn == 1 ? -d1 : d1 - d2;
+  }
 }
 
 /// Lets the triangle at place `from` of `w` wait in `to`, turned by so many corners.
@@ -39,8 +60,7 @@ inline int hand_on(const Waiting<Real>& w, int from, int turn, Waiting<Real>& to
     const int of = (corner + turn) % 3;
     for (int axis = 0; axis < 3; ++axis) to.x[3 * corner + axis][place] = w.x[3 * of + axis][from];
   }
-  to.triangle[place] = w.triangle[from];
-  to.turn[place] = (w.turn[from] + static_cast<std::uint32_t>(turn)) % 3;
+  hand_on_name(w, from, turn, to, place);
   return place;
 }
 
@@ -52,43 +72,38 @@ inline void fill_lanes(Waiting<Real>& w) {
     for (auto& row : w.x) row[place] = row[last];
     w.power[place] = w.power[last];
     w.sign[place] = w.sign[last];
-    w.triangle[place] = w.triangle[last];
-    w.turn[place] = w.turn[last];
+    w.id[place] = w.id[last];
   }
 }
 
-/// Calls `measure(first place, mask of the lanes that count)` for vectors of what waits, and empties it.
+/// Calls `measure(first place, lanes that count)` for vectors of what waits, and empties it.
 template <class Real, class Measure>
 inline void for_lanes(Waiting<Real>& w, const Measure& measure) {
   constexpr int kLanes = Lanes<Real>::kCount;
   if (w.count == 0) return;
   fill_lanes(w);
-  for (int first = 0; first < w.count; first += kLanes) {
-    const int left = w.count - first;
-    measure(first, left < kLanes ? (1U << left) - 1 : (1U << kLanes) - 1);
-  }
+  for (int first = 0; first < w.count; first += kLanes) measure(first, first_lanes(static_cast<Real>(w.count - first)));
   w.count = 0;
 }
 
-/// Adds the pieces in the lanes of `mask`, `good` telling the same in a vector.
+/// Adds the pieces in the lanes of `good`.
 template <class Real, bool kMoments, class M>
 inline void add_pieces(const Rim<Real>& rim, const Waiting<Real>& w, int first, const Piece<Vector<Real>>& piece,
-                       const Corners<Vector<Real>>& t, unsigned mask, M good) {
+                       const Corners<Vector<Real>>& t, M good) {
   using V = Vector<Real>;
   Real share[Lanes<Real>::kCount];
   store(share, piece.share);
-  add_shares(rim.triangles, w.triangle + first, share, mask, rim.ball);
+  add_shares(rim.triangles, w.id + first, share, bits(good), rim.ball);
   if (!kMoments) return;
-  Real weight[Lanes<Real>::kCount] = {};
-  for (unsigned rest = mask; rest != 0; rest &= rest - 1) {
-    const int lane = __builtin_ctz(rest);
-    weight[lane] = static_cast<Real>(rim.triangles.weights[w.triangle[first + lane]]);
-  }
   // A lane that does not count may hold NaN, which 0 does not cancel.
-  const V zero = spread(Real(0)), by = load<V>(weight);
+  const V zero = spread(Real(0));
+  V by = spread(Real(1));
+  if (rim.triangles.weights) {
+    for (int lane = 0; lane < Lanes<Real>::kCount; ++lane)
+      by[lane] = static_cast<Real>(rim.triangles.weights[triangle_of(w.id[first + lane])]);
+  }
   const V m1 = select(good, by * piece.m1, zero), m2 = select(good, by * piece.m2, zero);
-  add_excess<Real>(normal_rows<Real>(rim.triangles, w.triangle + first, w.turn + first), t.x1 - t.x0, t.x2 - t.x0, m1,
-                   m2, rim.ball);
+  add_excess(normal_differences(rim.triangles, w, first), t.x1 - t.x0, t.x2 - t.x0, m1, m2, rim.ball);
 }
 
 /// Share and moments by the form that is right for every case but slivers and contact.
@@ -97,15 +112,16 @@ void add_irregular(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.irregular;
   const V third = spread(Real(1.0 / 3));
-  for_lanes(w, [&](int first, unsigned valid) {
+  for_lanes(w, [&](int first, Mask<Real> valid) {
     const Corners<V> t = corners_at(w, first);
     const auto part = disc_shares<Real, V, Mask<Real>>(t, static_cast<Real>(rim.query.radii[rim.radius]));
-    const unsigned certain = bits(part.certain) & valid;
-    for (unsigned rest = valid & ~certain & ~bits(part.missed); rest != 0; rest &= rest - 1)
-      rim.query.careful(rim.query.context, w.triangle[first + __builtin_ctz(rest)], rim.radius);
-    rim.ball.faces += static_cast<unsigned>(__builtin_popcount(certain));
+    const Mask<Real> certain = part.certain & valid;
+    for (unsigned rest = bits(valid & ~certain & ~part.missed); rest != 0; rest &= rest - 1)
+      rim.query.careful(rim.query.context, static_cast<std::uint32_t>(w.id[first + __builtin_ctz(rest)]),
+                        rim.radius);
+    rim.ball.faces += static_cast<unsigned>(__builtin_popcount(bits(certain)));
     const Piece<V> piece = {part.share, part.share * (part.b1 - third), part.share * (part.b2 - third)};
-    if (certain) add_pieces<Real, kMoments>(rim, w, first, piece, t, certain, part.certain);
+    add_pieces<Real, kMoments>(rim, w, first, piece, t, certain);
   });
 }
 
@@ -114,10 +130,10 @@ void add_caps(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.caps;
   const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
-  for_lanes(w, [&](int first, unsigned valid) {
+  for_lanes(w, [&](int first, Mask<Real> valid) {
     const Corners<V> t = corners_at(w, first);
     const Piece<V> piece = cap_piece<Real>(t, load<V>(w.sign + first), radius_sq);
-    add_pieces<Real, kMoments>(rim, w, first, piece, t, valid, radius_sq > spread(Real(0)));
+    add_pieces<Real, kMoments>(rim, w, first, piece, t, valid);
   });
 }
 
@@ -139,17 +155,17 @@ void add_corners(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.corners;
   const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
-  for_lanes(w, [&](int first, unsigned valid) {
+  for_lanes(w, [&](int first, Mask<Real> valid) {
     const Corners<V> t = corners_at(w, first);
     const auto c = corner_piece<Real, kMoments, V, Mask<Real>>(t, load<V>(w.power + first), radius_sq);
-    const unsigned good = bits(c.good) & valid;
+    const Mask<Real> good = c.good & valid;
     make_room<Real, kMoments>(rim);
-    for (unsigned rest = valid & ~good; rest != 0; rest &= rest - 1)
+    for (unsigned rest = bits(valid & ~good); rest != 0; rest &= rest - 1)
       hand_on(w, first + __builtin_ctz(rest), 0, rim.ball.irregular);
-    for (unsigned rest = bits(c.opposite_cut) & good; rest != 0; rest &= rest - 1)
+    for (unsigned rest = bits(c.opposite_cut & good); rest != 0; rest &= rest - 1)
       let_cap_wait(rim, w, first + __builtin_ctz(rest), 1, Real(-1));
-    rim.ball.faces += static_cast<unsigned>(__builtin_popcount(good));
-    if (good) add_pieces<Real, kMoments>(rim, w, first, c.piece, t, good, c.good);
+    rim.ball.faces += static_cast<unsigned>(__builtin_popcount(bits(good)));
+    add_pieces<Real, kMoments>(rim, w, first, c.piece, t, good);
   });
 }
 
@@ -160,10 +176,10 @@ void sort_outside(const Rim<Real>& rim) {
   Waiting<Real>& w = rim.ball.outside;
   const V radius = spread(static_cast<Real>(rim.query.radii[rim.radius]));
   const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
-  for_lanes(w, [&](int first, unsigned valid) {
+  for_lanes(w, [&](int first, Mask<Real> valid) {
     const auto c = outside_case<Real, V, Mask<Real>>(corners_at(w, first), radius, radius_sq);
-    const unsigned simple = bits(c.simple) & valid;
-    const unsigned other = valid & ~simple & ~bits(c.missed);
+    const unsigned simple = bits(c.simple & valid);
+    const unsigned other = bits(valid & ~c.simple & ~c.missed);
     if (!(simple | other)) return;
     make_room<Real, kMoments>(rim);
     for (unsigned rest = other; rest != 0; rest &= rest - 1)

@@ -66,16 +66,27 @@ inline unsigned at_most(VF values, float bound) {
   return bits(values <= spread(bound));
 }
 
+inline void number_lanes(std::size_t first, VD (&triangles)[2]) {
+  const auto i = static_cast<long long>(first);
+  triangles[0] = reinterpret_cast<VD>(MD{i, i + 1, i + 2, i + 3});
+  triangles[1] = reinterpret_cast<VD>(MD{i + 4, i + 5, i + 6, i + 7});
+}
+inline void number_lanes(std::size_t first, VF (&triangles)[1]) {
+  const auto i = static_cast<int>(first);
+  triangles[0] = reinterpret_cast<VF>(MF{0, 1, 2, 3, 4, 5, 6, 7} + MF{i, i, i, i, i, i, i, i});
+}
+
 template <class Real>
 void add_leaf(const TreeView<Real>& tree, const BallQuery<Real>& query, std::size_t leaf, int first, int last) {
-  Placed<Real> p;
-  place(tree.leaves[leaf], query.centre, p);
+  constexpr int kParts = kWidth / Lanes<Real>::kCount;
+  Placed<Real> p[kParts];
+  for (int part = 0; part < kParts; ++part) place(tree.leaves[leaf], part * Lanes<Real>::kCount, query.centre, p[part]);
   const std::size_t begin = kWidth * leaf, left = tree.triangles.count - begin;
-  const unsigned present = left < kWidth ? (1U << left) - 1 : (1U << kWidth) - 1;
+  Vector<Real> triangles[kParts];
+  number_lanes(begin, triangles);
   for (int radius = first; radius < last; ++radius) {
-    add_placed(Rim<Real>{tree.triangles, query, radius, query.balls[radius]}, p, present,
-               tree.level[0].sums + kSums * leaf,
-               [begin](int lane) { return static_cast<std::uint32_t>(begin + static_cast<std::size_t>(lane)); });
+    add_leaf_to(Rim<Real>{tree.triangles, query, radius, query.balls[radius]}, tree.leaves[leaf], p, triangles,
+                tree.level[0].sums + kSums * leaf, left < kWidth ? static_cast<unsigned>(left) : kWidth);
   }
 }
 
@@ -104,6 +115,13 @@ struct Walk {
     }
   }
 
+  void prefetch_leaves(std::size_t begin, unsigned mask) {
+    for (; mask != 0; mask &= mask - 1) {
+      const auto* const leaf = reinterpret_cast<const char*>(tree.leaves + begin + __builtin_ctz(mask));
+      for (std::size_t byte = 0; byte < sizeof(Leaf<Real>); byte += 64) __builtin_prefetch(leaf + byte);
+    }
+  }
+
   void add_node(const Task& task, std::size_t node, int radius) {
     add_whole(query.balls[radius], tree.level[task.level].sums + kSums * node, faces_below(tree, task.level, node));
   }
@@ -114,6 +132,7 @@ struct Walk {
     const unsigned met = at_most(d.least, ball.out_sq), in = at_most(d.most, ball.in_sq) & met;
     for (unsigned rest = in; rest != 0; rest &= rest - 1)
       add_node(task, begin + static_cast<std::size_t>(__builtin_ctz(rest)), task.first);
+    if (task.level == 0) prefetch_leaves(begin, met & ~in);
     for (unsigned rest = met & ~in; rest != 0; rest &= rest - 1)
       open(task, begin + static_cast<std::size_t>(__builtin_ctz(rest)), task.first, task.last);
   }

@@ -22,7 +22,7 @@ struct TriangleView {
   const std::uint32_t* corners;  ///< 3 each
   const double* positions;       ///< 3 a vertex
   const double* normals;         ///< 3 a vertex
-  const double* weights;
+  const double* weights;         ///< null if all are 1
 };
 
 /// Boxes of 8 nodes side by side in the unit of the tree, rounded outward; those that do not exist have
@@ -40,10 +40,11 @@ struct alignas(64) Leaf<double> {
   double x[9][kWidth];
 };
 
-/// In floats the corners are relative to a point of the leaf.
+/// In floats the corners are relative to a point of the leaf, and the differences of the second and third normal from
+/// the first are at hand too.
 template <>
-struct Leaf<float> {
-  float x[9][kWidth];
+struct alignas(32) Leaf<float> {
+  float x[15][kWidth];
   double origin[3];
 };
 
@@ -63,14 +64,29 @@ struct TreeView {
   double middle[3], unit;  ///< boxes hold (x - middle) * unit, within [-1, 1]
 };
 
-/// Triangles that wait to be measured together, corners relative to the centre of the ball.
+/// How a triangle is called while it waits: its index, in doubles with the number of the corner that is the first here
+/// above bit 32.
+template <class Real>
+struct WaitingId;
+template <>
+struct WaitingId<double> {
+  using Type = std::uint64_t;
+};
+template <>
+struct WaitingId<float> {
+  using Type = std::uint32_t;
+};
+
+/// Triangles that wait to be measured together: corners relative to the centre of the ball, and in floats the
+/// differences of the normals.
 template <class Real>
 struct alignas(64) Waiting {
-  Real x[9][kRim];
-  Real power[kRim];  ///< |first corner|^2 - radius^2
-  Real sign[kRim];   ///< of a cap
-  std::uint32_t triangle[kRim];
-  std::uint32_t turn[kRim];  ///< which corner of the triangle is the first here
+  static constexpr int kRows = sizeof(Real) == sizeof(float) ? 15 : 9;
+  static constexpr int kPlaces = kRim + kWidth;
+  Real x[kRows][kPlaces];
+  Real power[kPlaces];  ///< |first corner|^2 - radius^2
+  Real sign[kPlaces];   ///< of a cap
+  typename WaitingId<Real>::Type id[kPlaces];
   int count;
 };
 
@@ -78,7 +94,7 @@ struct alignas(64) Waiting {
 template <class Real>
 struct alignas(64) Gathering {
   double sum[12];       ///< kSums used
-  double excess[8][8];  ///< mu0, mu2, sym mu that cut triangles have over their share, a lane each
+  double excess[7][8];  ///< mu0 and sym mu that cut triangles have over their share, a lane each
   std::uint64_t faces;
   const double* whole[kWaiting];  ///< sums of nodes and triangles inside, to be added
   int whole_count;
