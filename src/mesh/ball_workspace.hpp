@@ -17,8 +17,8 @@ static_assert(sizeof(std::array<Index, 3>) == 3 * sizeof(std::uint32_t) && sizeo
 inline kernels::TriangleView view_of(const MeasuredTriangles& t) {
   if (t.size() == 0) return {};
   const bool weighted = std::any_of(t.weights.begin(), t.weights.end(), [](double w) { return w != 1; });
-  return {t.size(),       &t.measures[0].area, t.corners[0].data(), t.x[0].data(),
-          t.u[0].data(), weighted ? t.weights.data() : nullptr};
+  const double* const measures = t.measures.empty() ? nullptr : &t.measures[0].area;
+  return {t.size(), measures, t.corners[0].data(), t.x[0].data(), t.u[0].data(), weighted ? t.weights.data() : nullptr};
 }
 
 /// Radii in increasing order, and where each stood.

@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <numeric>
 #include <string>
 
+#include "ball_workspace.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/ball_sum.hpp"
 
 namespace kappa {
 namespace {
 
-constexpr std::size_t kBlock = 4096;
+constexpr std::size_t kBlock = 2048;
 
 bool usable(const Vec3& u) {
   return is_finite(u) && !u.isZero(0);
 }
 
-bool usable_face(const Mesh& mesh, const Normals& u, const Faces::View& face) {
-  for (const Index v : face) {
-    if (!is_finite(mesh.vertices[v]) || !usable(u[v])) return false;
-  }
-  return true;
+/// Vertices that have a position and a normal.
+std::vector<char> usable_vertices(const Mesh& mesh, const Normals& u) {
+  std::vector<char> flags(u.size());
+  for (std::size_t v = 0; v < u.size(); ++v) flags[v] = is_finite(mesh.vertices[v]) && usable(u[v]);
+  return flags;
+}
+
+bool usable_face(const std::vector<char>& vertices, const Faces::View& face) {
+  return std::all_of(face.begin(), face.end(), [&](Index v) { return vertices[v] != 0; });
 }
 
 /// Adds the barycentre of a polygon and the fan of triangles around it.
@@ -46,13 +51,62 @@ void add_face(MeasuredTriangles& t, const Mesh& mesh, std::size_t f) {
   }
 }
 
-MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
-  const auto& c = t.corners[i];
-  const Vec3 &x0 = t.x[c[0]], &u0 = t.u[c[0]];
-  const Vec3 u_bar = (u0 + t.u[c[1]] + t.u[c[2]]) / 3.0;
-  MeasureSum m = triangle_density_sum(t.x[c[1]] - x0, t.x[c[2]] - x0, t.u[c[1]] - u0, t.u[c[2]] - u0, u_bar);
-  m *= t.weights[i];
-  return m;
+/// Faces that are all triangles and all to be measured.
+void take_all(MeasuredTriangles& t, const Mesh& mesh) {
+  const std::size_t count = mesh.faces.size();
+  const Index* const corners = mesh.faces.corners().data();
+  for (std::size_t f = 0; f < count; ++f)
+    t.corners.push_back({corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]});
+  t.weights = mesh.weights;
+  t.weights.resize(count, 1.0);
+  t.faces.resize(count);
+  std::iota(t.faces.begin(), t.faces.end(), Index{0});
+}
+
+void take_usable(MeasuredTriangles& t, const Mesh& mesh, const std::vector<char>& vertices) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (usable_face(vertices, mesh.faces[f])) {
+      add_face(t, mesh, f);
+    } else {
+      ++t.dropped_faces;
+    }
+  }
+}
+
+void take_faces(MeasuredTriangles& t, const Mesh& mesh, const Normals& u) {
+  t.corners.reserve(mesh.faces.size());
+  t.weights.reserve(mesh.faces.size());
+  t.faces.reserve(mesh.faces.size());
+  const std::vector<char> vertices = usable_vertices(mesh, u);
+  bool triangles = std::find(vertices.begin(), vertices.end(), 0) == vertices.end();
+  for (std::size_t f = 0; triangles && f < mesh.faces.size(); ++f) triangles = mesh.faces.offset(f) == 3 * f;
+  if (triangles && mesh.faces.corners().size() == 3 * mesh.faces.size()) {
+    take_all(t, mesh);
+  } else {
+    take_usable(t, mesh, vertices);
+  }
+}
+
+void measure_all(MeasuredTriangles& t, const Execution& run) {
+  if (t.size() == 0) return;
+  const kernels::Table& table = kernels::best_table();
+  const kernels::TriangleView view = view_of(t);
+  const auto measure = [&](std::size_t begin, std::size_t end) {
+    table.measure(view, begin, end, &t.measures[0].area);
+  };
+  if (thread_count(run) > 1) {
+    t.measures.resize(t.size());
+    parallel_for(t.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { measure(begin, end); });
+    return;
+  }
+  // Grown block by block, so that what is written is still at hand: memory is passed over once.
+  t.measures.reserve(t.size());
+  for (std::size_t begin = 0; begin < t.size(); begin += kBlock) {
+    check_cancelled(run);
+    const std::size_t end = std::min(begin + kBlock, t.size());
+    t.measures.resize(end);
+    measure(begin, end);
+  }
 }
 
 /// The four parts of a quad get what its bilinear patch has over them, by area: whole quads then have the bilinear
@@ -87,20 +141,8 @@ MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, Qu
   t.vertices = mesh.vertices.size();
   t.x = mesh.vertices;
   t.u = normals;
-  t.corners.reserve(mesh.faces.size());
-  t.weights.reserve(mesh.faces.size());
-  t.faces.reserve(mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (usable_face(mesh, normals, mesh.faces[f])) {
-      add_face(t, mesh, f);
-    } else {
-      ++t.dropped_faces;
-    }
-  }
-  t.measures.resize(t.size());
-  parallel_for(t.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t i = begin; i < end; ++i) t.measures[i] = whole_measures(t, i);
-  });
+  take_faces(t, mesh, normals);
+  measure_all(t, run);
   if (quads == QuadMeasures::Bilinear) {
     for (std::size_t i = 0; i < t.size(); ++i) {
       const bool first = i == 0 || t.faces[i] != t.faces[i - 1];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "faces.hpp"
 #include "leaf.hpp"
 
 // Triangles that a search has chosen, without a tree. Included by kernel files alone.
@@ -17,18 +18,22 @@ struct ChosenLeaf {
 
 /// Lanes that hold nothing are infinitely far.
 inline void gather(const TriangleView& triangles, const std::uint32_t* chosen, std::size_t count, ChosenLeaf& to) {
-  constexpr double kInfinity = __builtin_inf();
-  std::uint64_t ids[kWidth] = {};
-  for (std::size_t lane = 0; lane < kWidth; ++lane) {
-    if (lane < count) ids[lane] = chosen[lane];
-    const std::uint32_t* const corners = triangles.corners + 3 * ids[lane];
+  std::uint64_t ids[kWidth];
+  for (std::size_t lane = 0; lane < kWidth; ++lane) ids[lane] = chosen[lane < count ? lane : 0];
+  for (std::size_t part = 0; part < 2; ++part) {
+    const std::size_t at = 4 * part;
+    const auto corners = [&](std::size_t lane) { return triangles.corners + 3 * ids[at + lane]; };
+    const Corners<VD> x = gathered(triangles.positions, {corners(0), corners(1), corners(2), corners(3)});
+    const VD present = VD{0, 1, 2, 3} + spread(static_cast<double>(at));
+    const MD here = present < spread(static_cast<double>(count));
+    const Vector3<VD> rows[3] = {x.x0, x.x1, x.x2};
     for (int corner = 0; corner < 3; ++corner) {
-      const double* const x = triangles.positions + 3 * std::size_t{corners[corner]};
-      for (int axis = 0; axis < 3; ++axis) to.leaf.x[3 * corner + axis][lane] = lane < count ? x[axis] : kInfinity;
+      const VD axes[3] = {rows[corner].x, rows[corner].y, rows[corner].z};
+      for (int axis = 0; axis < 3; ++axis)
+        store(to.leaf.x[3 * corner + axis] + at, select(here, axes[axis], spread(__builtin_inf())));
     }
+    to.triangles[part] = load<VD>(ids + at);
   }
-  to.triangles[0] = load<VD>(ids);
-  to.triangles[1] = load<VD>(ids + 4);
   to.faces = count < kWidth ? static_cast<unsigned>(count) : kWidth;
 }
 

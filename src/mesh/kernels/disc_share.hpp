@@ -118,12 +118,6 @@ inline void add_segment(const Vector2<V>& a, const Vector2<V>& b, const Vector2<
   sum.moment = sum.moment + area * (mid - origin) + outward * along;
 }
 
-/// Triangles relative to the centre of the ball.
-template <class V>
-struct Corners {
-  Vector3<V> x0, x1, x2;
-};
-
 template <class V, class M>
 struct Shares {
   V share, b1, b2;  ///< as in TriangleShare

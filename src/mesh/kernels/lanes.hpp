@@ -230,5 +230,40 @@ inline Vector3<V> cross(const Vector3<V>& a, const Vector3<V>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Triangles, a corner a row.
+template <class V>
+struct Corners {
+  Vector3<V> x0, x1, x2;
+};
+
+/// Four vectors of three doubles, wherever they are.
+inline Vector3<VD> gathered_vectors(const double* const (&from)[4]) {
+#if defined(__AVX__)
+  const __m256i three = _mm256_setr_epi64x(-1, -1, -1, 0);
+  const __m256d a = _mm256_maskload_pd(from[0], three), b = _mm256_maskload_pd(from[1], three);
+  const __m256d c = _mm256_maskload_pd(from[2], three), d = _mm256_maskload_pd(from[3], three);
+  const __m256d xz_ab = _mm256_unpacklo_pd(a, b), xz_cd = _mm256_unpacklo_pd(c, d);
+  return {_mm256_permute2f128_pd(xz_ab, xz_cd, 0x20),
+          _mm256_insertf128_pd(_mm256_unpackhi_pd(a, b), _mm_unpackhi_pd(_mm256_castpd256_pd128(c), _mm256_castpd256_pd128(d)), 1),
+          _mm256_permute2f128_pd(xz_ab, xz_cd, 0x31)};
+#else
+  const auto row = [&](int axis) { return VD{from[0][axis], from[1][axis], from[2][axis], from[3][axis]}; };
+  return {row(0), row(1), row(2)};
+#endif
+}
+
+inline void transpose(const VD (&rows)[4], VD (&columns)[4]) {
+#if defined(__AVX__)
+  const __m256d ab_low = _mm256_unpacklo_pd(rows[0], rows[1]), ab_high = _mm256_unpackhi_pd(rows[0], rows[1]);
+  const __m256d cd_low = _mm256_unpacklo_pd(rows[2], rows[3]), cd_high = _mm256_unpackhi_pd(rows[2], rows[3]);
+  columns[0] = _mm256_permute2f128_pd(ab_low, cd_low, 0x20);
+  columns[1] = _mm256_permute2f128_pd(ab_high, cd_high, 0x20);
+  columns[2] = _mm256_permute2f128_pd(ab_low, cd_low, 0x31);
+  columns[3] = _mm256_permute2f128_pd(ab_high, cd_high, 0x31);
+#else
+  for (int i = 0; i < 4; ++i) columns[i] = VD{rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
+#endif
+}
+
 }  // namespace
 }  // namespace kappa::kernels

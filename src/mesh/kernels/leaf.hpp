@@ -105,13 +105,13 @@ inline VF named(VF triangles, MF, MF) {
 }
 
 /// Rows of the differences of the normals, in floats.
-inline void let_normals_wait(const Leaf<double>&, const Compression<VD>&, MD, MD, Waiting<double>&) {}
+inline void let_normals_wait(const Leaf<double>&, const Compression<VD>&, MD, MD, int, Waiting<double>&) {}
 inline void let_normals_wait(const Leaf<float>& leaf, const Compression<VF>& packed, MF second, MF third,
-                             Waiting<float>& w) {
+                             int at, Waiting<float>& w) {
   for (int axis = 0; axis < 3; ++axis) {
     const VF d1 = load<VF>(leaf.x[9 + axis]), d2 = load<VF>(leaf.x[12 + axis]);
-    store(w.x[9 + axis] + w.count, packed(select(second, d2 - d1, select(third, -d2, d1))));
-    store(w.x[12 + axis] + w.count, packed(select(second, -d1, select(third, d1 - d2, d2))));
+    store(w.x[9 + axis] + at, packed(select(second, d2 - d1, select(third, -d2, d1))));
+    store(w.x[12 + axis] + at, packed(select(second, -d1, select(third, d1 - d2, d2))));
   }
 }
 
@@ -121,17 +121,19 @@ inline void let_wait(const Leaf<Real>& leaf, const Placed<Real>& p, Vector<Real>
                      Vector<Real> power, Waiting<Real>& w) {
   using V = Vector<Real>;
   const unsigned chosen = bits(mask);
+  const int at = w.count;
   const Compression<V> packed(chosen);
+  const auto let_row_wait = [&](int row, V values) { store(w.x[row] + at, packed(values)); };
   for (int axis = 0; axis < 3; ++axis) {
     const V a = p.x[axis], b = p.x[3 + axis], c = p.x[6 + axis];
-    store(w.x[axis] + w.count, packed(select(second, b, select(third, c, a))));
-    store(w.x[3 + axis] + w.count, packed(select(second, c, select(third, a, b))));
-    store(w.x[6 + axis] + w.count, packed(select(second, a, select(third, b, c))));
+    let_row_wait(axis, select(second, b, select(third, c, a)));
+    let_row_wait(3 + axis, select(second, c, select(third, a, b)));
+    let_row_wait(6 + axis, select(second, a, select(third, b, c)));
   }
-  store(w.power + w.count, packed(power));
-  store(w.id + w.count, packed(named(triangles, second, third)));
-  let_normals_wait(leaf, packed, second, third, w);
-  w.count += __builtin_popcount(chosen);
+  store(w.power + at, packed(power));
+  store(w.id + at, packed(named(triangles, second, third)));
+  let_normals_wait(leaf, packed, second, third, at, w);
+  w.count = at + __builtin_popcount(chosen);
 }
 
 /// Adds the triangles placed, named in the lanes of `triangles` as WaitingId says, to one ball.

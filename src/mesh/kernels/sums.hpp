@@ -86,13 +86,8 @@ inline NormalDifferences<VD> normal_differences(const TriangleView& triangles, c
     at[1][lane] = triangles.normals + 3 * std::size_t{corners[second]};
     at[2][lane] = triangles.normals + 3 * std::size_t{corners[3 - turn - second]};
   }
-  const auto normals = [&at](int corner) {
-    const double* const* const u = at[corner];
-    return Vector3<VD>{VD{u[0][0], u[1][0], u[2][0], u[3][0]}, VD{u[0][1], u[1][1], u[2][1], u[3][1]},
-                       VD{u[0][2], u[1][2], u[2][2], u[3][2]}};
-  };
-  const Vector3<VD> u0 = normals(0);
-  return {normals(1) - u0, normals(2) - u0};
+  const Vector3<VD> u0 = gathered_vectors(at[0]);
+  return {gathered_vectors(at[1]) - u0, gathered_vectors(at[2]) - u0};
 }
 
 inline NormalDifferences<VF> normal_differences(const TriangleView&, const Waiting<float>& w, int first) {

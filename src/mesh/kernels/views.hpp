@@ -128,6 +128,8 @@ struct Table {
   void (*add)(const TriangleView& triangles, const BallQuery<double>& query, int radius, const std::uint32_t* chosen,
               std::size_t count);
   void (*finish)(const TriangleView& triangles, const BallQuery<double>& query, int radius);
+  /// Measures of the whole triangles [begin, end), times their weights, to `out`, kSums each from the first on.
+  void (*measure)(const TriangleView& triangles, std::size_t begin, std::size_t end, double* out);
 };
 
 const Table& baseline_table();
