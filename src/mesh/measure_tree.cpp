@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../core/large_array.hpp"
 #include "ball_workspace.hpp"
 #include "measure_tree_order.hpp"
 
@@ -20,8 +21,9 @@ constexpr std::size_t kBlock = 64;
 /// Puts the triangles in the order given.
 void permute(MeasuredTriangles& t, const std::vector<Index>& order) {
   const auto apply = [&](auto& values) {
-    std::decay_t<decltype(values)> sorted(values.size());
-    std::transform(order.begin(), order.end(), sorted.begin(), [&](Index i) { return values[i]; });
+    std::decay_t<decltype(values)> sorted;
+    reserve_large(sorted, values.size());
+    for (const Index i : order) sorted.push_back(values[i]);
     values = std::move(sorted);
   };
   apply(t.corners);
@@ -67,7 +69,8 @@ struct LevelData {
   std::vector<BoxBlock> boxes;
   std::vector<MeasureSum> sums;
 
-  explicit LevelData(std::size_t nodes) : boxes((nodes + kWidth - 1) / kWidth, empty_block()), sums(nodes) {}
+  explicit LevelData(std::size_t nodes)
+      : boxes(large_vector((nodes + kWidth - 1) / kWidth, empty_block())), sums(large_vector<MeasureSum>(nodes)) {}
 
   void extend(std::size_t node, int axis, float lo, float hi) {
     BoxBlock& block = boxes[node / kWidth];
@@ -130,7 +133,7 @@ void set_normals(Leaf<float>& leaf, std::size_t lane, const MeasuredTriangles& t
 
 template <class Real>
 std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t) {
-  std::vector<Leaf<Real>> leaves((t.size() + kWidth - 1) / kWidth);
+  auto leaves = large_vector<Leaf<Real>>((t.size() + kWidth - 1) / kWidth);
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     Leaf<Real>& leaf = leaves[i];
     const Vec3 origin = set_origin(leaf, t.x[t.corners[kWidth * i][0]]);

@@ -2,6 +2,7 @@
 #include <numeric>
 #include <string>
 
+#include "../core/large_array.hpp"
 #include "ball_workspace.hpp"
 #include "kappa/core/error.hpp"
 
@@ -57,7 +58,7 @@ void take_all(MeasuredTriangles& t, const Mesh& mesh) {
   const Index* const corners = mesh.faces.corners().data();
   for (std::size_t f = 0; f < count; ++f)
     t.corners.push_back({corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]});
-  t.weights = mesh.weights;
+  t.weights.assign(mesh.weights.begin(), mesh.weights.end());
   t.weights.resize(count, 1.0);
   t.faces.resize(count);
   std::iota(t.faces.begin(), t.faces.end(), Index{0});
@@ -74,9 +75,9 @@ void take_usable(MeasuredTriangles& t, const Mesh& mesh, const std::vector<char>
 }
 
 void take_faces(MeasuredTriangles& t, const Mesh& mesh, const Normals& u) {
-  t.corners.reserve(mesh.faces.size());
-  t.weights.reserve(mesh.faces.size());
-  t.faces.reserve(mesh.faces.size());
+  reserve_large(t.corners, mesh.faces.size());
+  reserve_large(t.weights, mesh.faces.size());
+  reserve_large(t.faces, mesh.faces.size());
   const std::vector<char> vertices = usable_vertices(mesh, u);
   bool triangles = std::find(vertices.begin(), vertices.end(), 0) == vertices.end();
   for (std::size_t f = 0; triangles && f < mesh.faces.size(); ++f) triangles = mesh.faces.offset(f) == 3 * f;
@@ -94,13 +95,13 @@ void measure_all(MeasuredTriangles& t, const Execution& run) {
   const auto measure = [&](std::size_t begin, std::size_t end) {
     table.measure(view, begin, end, &t.measures[0].area);
   };
+  reserve_large(t.measures, t.size());
   if (thread_count(run) > 1) {
     t.measures.resize(t.size());
     parallel_for(t.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { measure(begin, end); });
     return;
   }
   // Grown block by block, so that what is written is still at hand: memory is passed over once.
-  t.measures.reserve(t.size());
   for (std::size_t begin = 0; begin < t.size(); begin += kBlock) {
     check_cancelled(run);
     const std::size_t end = std::min(begin + kBlock, t.size());
@@ -139,6 +140,8 @@ MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, Qu
                                                 std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
   MeasuredTriangles t;
   t.vertices = mesh.vertices.size();
+  reserve_large(t.x, mesh.vertices.size());
+  reserve_large(t.u, mesh.vertices.size());
   t.x = mesh.vertices;
   t.u = normals;
   take_faces(t, mesh, normals);
