@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "commands/command.hpp"
 #include "commands/progress.hpp"
@@ -31,6 +33,26 @@ int fail(const char* what) {
   return kappa::app::kFailed;
 }
 
+/// Says which command does not exist, where that is what is wrong; CLI11 lists all words of the line, last first.
+std::string unknown_command(const CLI::App& program) {
+  const CLI::App* innermost = &program;
+  while (!innermost->get_subcommands().empty()) innermost = innermost->get_subcommands().front();
+  const std::vector<std::string> rest = innermost->remaining();
+  std::string known;
+  for (const CLI::App* command : innermost->get_subcommands([](const CLI::App*) { return true; }))
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  if (rest.empty() || known.empty()) return {};
+  return "'" + rest.front() + "' is none of " + known;
+}
+
+int fail_usage(const CLI::App& program, const CLI::ParseError& error) {
+  const bool extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const std::string message = extra ? unknown_command(program) : std::string();
+  if (message.empty()) return program.exit(error) == 0 ? kappa::app::kDone : kappa::app::kUsage;
+  std::fprintf(stderr, "%s\nRun with --help or --help-all for more information.\n", message.c_str());
+  return kappa::app::kUsage;
+}
+
 int run(int argc, char** argv) {
   CLI::App program("Signed curvature of LIDAR scans, point clouds and meshes", "kappa");
   declare(program);
@@ -38,7 +60,7 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
     return kappa::app::kDone;
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kappa::app::kDone : kappa::app::kUsage;
+    return fail_usage(program, error);
   } catch (const kappa::Cancelled&) {
     return fail("cancelled; nothing was written");
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 
+#include "checks.hpp"
 #include "command.hpp"
 #include "json.hpp"
 #include "kappa/io/read.hpp"
@@ -23,7 +24,7 @@ void declare_compare(CLI::App& command, CompareArguments& arguments) {
   command
       .add_option("--tolerance", arguments.tolerance,
                   "Distance by which points of the two may differ, for noisy results")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
   command.add_flag("--json", arguments.json, "As one JSON object on standard output");
 }
 

@@ -8,7 +8,7 @@ namespace kappa::app {
 namespace {
 
 void declare_curvature(CLI::App& command, CurvatureArguments& arguments) {
-  declare_files(command, arguments, ".ply .pcd .csv .vtp");
+  declare_files(command, arguments, ".ply .pcd .csv .vtp .las");
   declare_stages(command, arguments);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "checks.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/las.hpp"
 #include "kappa/pcl/ground.hpp"
@@ -22,7 +23,7 @@ void declare_ground(CLI::App& command, FilterArguments& options) {
                 "Leave the ground of an airborne scan; --ground=pmf: by PCL's progressive morphological filter")
       ->check(CLI::IsMember({"smrf", "pmf"}));
   const auto add = [&](const char* name, std::optional<double>& value, const char* help) {
-    command.add_option(name, value, help)->check(CLI::NonNegativeNumber)->needs("--ground");
+    command.add_option(name, value, help)->check(not_negative())->needs("--ground");
   };
   add("--ground-cell", options.ground_cell, "Cell of the ground filter; default 1 m");
   add("--ground-slope", options.ground_slope, "Rise over run above which it is an object; default 0.15, pmf 1");
@@ -108,18 +109,17 @@ void declare(CLI::App& command, FilterArguments& options) {
       ->check(CLI::Range(0, 255))
       ->option_text("N[,N...]");
   command.add_option("--returns", options.points.returns, "first, last or all returns of each pulse")
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, Returns>>{
-          {"all", Returns::All}, {"first", Returns::First}, {"last", Returns::Last}}))
+      ->transform(choice<Returns>({{"all", Returns::All}, {"first", Returns::First}, {"last", Returns::Last}}))
       ->option_text("WHICH=all");
   command
       .add_option("--bounds", options.bounds,
                   "Only points within XMIN,YMIN,XMAX,YMAX[,ZMIN,ZMAX] in the coordinates of the file")
       ->option_text("X,Y,X,Y[,Z,Z]");
   command.add_option("--voxel", options.voxel, "Thin to one point (nearest to the mean) in each cube of this size")
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->option_text("SIZE");
   command.add_option("--z-scale", options.z_scale, "Units of x and y in a unit of height, where they differ")
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->option_text("S=1");
   declare_ground(command, options);
 }

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "checks.hpp"
 #include "command.hpp"
 #include "kappa/io/write.hpp"
 #include "kappa/shapes/analytic.hpp"
@@ -21,7 +22,7 @@ struct OutputArguments {
 };
 
 void declare_output(CLI::App& shape, OutputArguments& o) {
-  shape.add_option("output", o.output, "File with points, normals, faces and true curvature: .ply .pcd .csv .vtp")
+  shape.add_option("output", o.output, "File with points, normals, faces and true curvature: .ply .pcd .csv .vtp .las")
       ->required();
   shape.add_option("--seed", o.seed, "Seed of whatever is random")->capture_default_str();
   shape.add_option("--origin", o.origin, "X,Y,Z that is added to the coordinates");
@@ -79,10 +80,9 @@ void add_shape(CLI::App& generate, const std::string& name, const std::string& d
 
 void add_grid_faces(CLI::App& shape, GridFaces& faces) {
   shape.add_option("--faces", faces, "triangles, other-diagonal, quads")
-      ->transform(CLI::CheckedTransformer(
-          std::vector<std::pair<std::string, GridFaces>>{{"triangles", GridFaces::Triangles},
-                                                         {"other-diagonal", GridFaces::OtherDiagonal},
-                                                         {"quads", GridFaces::Quads}}))
+      ->transform(choice<GridFaces>({{"triangles", GridFaces::Triangles},
+                                     {"other-diagonal", GridFaces::OtherDiagonal},
+                                     {"quads", GridFaces::Quads}}))
       ->option_text("KIND=triangles");
 }
 
@@ -212,8 +212,8 @@ void add_goursat(CLI::App& generate) {
       [](CLI::App& c, O& o) {
         add_value(c, "--step", o.shape.step, "Step of the grid the mesh is extracted from");
         c.add_option("--extraction", o.shape.extraction, "marching-cubes, surface-nets")
-            ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, Extraction>>{
-                {"marching-cubes", Extraction::MarchingCubes}, {"surface-nets", Extraction::SurfaceNets}}))
+            ->transform(choice<Extraction>(
+                {{"marching-cubes", Extraction::MarchingCubes}, {"surface-nets", Extraction::SurfaceNets}}))
             ->option_text("KIND=marching-cubes");
         add_samples(c, o.points);
       },

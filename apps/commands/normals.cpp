@@ -9,7 +9,7 @@ namespace kappa::app {
 namespace {
 
 void declare_normals(CLI::App& command, SurfaceCommand& arguments) {
-  declare_files(command, arguments, "the same with corrected normals, .ply .pcd .csv .vtp");
+  declare_files(command, arguments, "the same with corrected normals, .ply .pcd .csv .vtp .las");
   declare(command, arguments.surface);
   declare(command, arguments.run);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "checks.hpp"
 #include "command.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/read.hpp"
@@ -31,8 +32,8 @@ void declare_style(CLI::App& command, RenderArguments& arguments) {
   command.add_flag("--sequential", arguments.sequential, "A colour map for fields without a sign");
   command.add_option("--unit", arguments.unit, "Unit of length of the data, shown as 1/unit");
   command.add_option("--directions", arguments.figure.directions, "Principal directions: none, min, max, both")
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, Directions>>{
-          {"none", Directions::None}, {"min", Directions::Min}, {"max", Directions::Max}, {"both", Directions::Both}}))
+      ->transform(choice<Directions>(
+          {{"none", Directions::None}, {"min", Directions::Min}, {"max", Directions::Max}, {"both", Directions::Both}}))
       ->option_text("WHICH=none");
 }
 
@@ -46,7 +47,7 @@ void declare_render(CLI::App& command, RenderArguments& arguments) {
   declare_up_axis(command, arguments.up);
   command.add_option("--size", arguments.size, "WIDTH,HEIGHT in pixels")->option_text("W,H=1600,1000");
   command.add_option("--point-size", arguments.figure.point_size, "Diameter of points in pixels, 0 to close the gaps")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_negative())
       ->capture_default_str();
   command.add_flag("--edges", arguments.edges, "Draw the edges of the faces");
   command.add_flag("--quiet", arguments.quiet, "Say nothing");

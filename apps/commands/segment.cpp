@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "checks.hpp"
 #include "command.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/write.hpp"
@@ -18,12 +19,12 @@ struct SegmentArguments {
 };
 
 void declare_segment(CLI::App& command, SegmentArguments& arguments) {
-  declare_files(command, arguments.curvature, ".ply .pcd .csv .vtp");
+  declare_files(command, arguments.curvature, ".ply .pcd .csv .vtp .las");
   declare_stages(command, arguments.curvature);
   command
       .add_option("--kappa-max", arguments.kappa_max,
                   "Curvature (1/length) that --flatness is a part of; default: 98th percentile of the principal ones")
-      ->check(CLI::PositiveNumber);
+      ->check(positive());
   command
       .add_option("--flatness", arguments.flatness,
                   "A curvature below this part of --kappa-max counts as 0; default: estimated from the data")
@@ -31,7 +32,7 @@ void declare_segment(CLI::App& command, SegmentArguments& arguments) {
   command
       .add_option("--min-region", arguments.min_region,
                   "Regions of a smaller area are merged into a neighbour; default: the disc of half the radius")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_negative());
 }
 
 double choose_threshold(const SegmentArguments& arguments, const Measured& m, const CurvatureField& field,

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "checks.hpp"
 #include "kappa/view/figure.hpp"
 
 namespace kappa::app {
@@ -12,8 +13,7 @@ namespace kappa::app {
 inline void declare_up_axis(CLI::App& command, std::optional<UpAxis>& axis) {
   command
       .add_option("--up", axis, "Axis that points up: y, z, or camera (-y, a depth camera's frame); default: chosen")
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, UpAxis>>{
-          {"y", UpAxis::Y}, {"z", UpAxis::Z}, {"camera", UpAxis::NegativeY}}));
+      ->transform(choice<UpAxis>({{"y", UpAxis::Y}, {"z", UpAxis::Z}, {"camera", UpAxis::NegativeY}}));
 }
 
 }  // namespace kappa::app

@@ -48,7 +48,11 @@ TEST(Robustness, WrongUseIsExitCode2) {
   expect_usage_error({"curvature", "a.ply", "b.ply", "--orient", "viewpoint", "1,2"}, "3 numbers");
   expect_usage_error({"curvature", "a.ply", "b.ply", "--ball", "cube"}, "--ball");
   expect_usage_error({"segment", "a.ply", "b.ply", "--flatness", "3"}, "--flatness");
-  expect_usage_error({"generate", "klein", "b.ply"}, "klein");
+  expect_usage_error({"generate", "klein", "b.ply"}, "'klein' is none of sphere");
+  expect_usage_error({"curv", "a.ply", "b.ply"}, "'curv' is none of curvature, segment");
+  expect_usage_error({"segment", "a.ply", "b.ply", "--kappa-max", "-3"}, "'-3' is not above 0");
+  expect_usage_error({"segment", "a.ply", "b.ply", "--min-region", "-3"}, "'-3' is not 0 or more");
+  expect_usage_error({"render", "a.ply", "b.png", "--directions", "up"}, "'up' is none of none, min, max, both");
 }
 
 TEST(Robustness, FailuresNameTheFileAndTheRemedy) {

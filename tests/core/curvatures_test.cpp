@@ -162,6 +162,11 @@ TEST(Curvatures, NoAnswerIsNaN) {
   expect_all_nan(curvatures(Measures{}, f.col(2)), PointStatus::Degenerate);
   expect_all_nan(curvatures(MeasureSum{}, f.col(2)), PointStatus::Degenerate);
   expect_all_nan(Curvatures{}, PointStatus::Invalid);
+  for (const double area : {kNaN, HUGE_VAL}) {
+    Measures unmeasured = good;
+    unmeasured.area = area;
+    expect_all_nan(curvatures(unmeasured, f.col(2)), PointStatus::Invalid);
+  }
   flat.mu0 = 1.01e-12 * flat.area;
   EXPECT_EQ(curvatures(flat, f.col(2)).status, PointStatus::Valid);
 }

@@ -106,9 +106,13 @@ TEST(ParallelFor, ProgressRisesOnTheCallingThread) {
       last = p;
       ++reports;
     };
+    const auto start = std::chrono::steady_clock::now();
     parallel_for(400, 1, run,
                  [](std::size_t, std::size_t, int) { std::this_thread::sleep_for(std::chrono::milliseconds(3)); });
-    EXPECT_GE(reports, 1) << threads << " threads: a second of work without a report";
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_GE(reports, 2) << threads << " threads: a second of work without a report but the last";
+    EXPECT_LE(reports, 10 * seconds.count() + 1) << threads << " threads: more than ten reports a second";
+    EXPECT_EQ(last, 1.0) << threads << " threads";
   }
 }
 

@@ -112,6 +112,8 @@ TEST(TriangleBallShare, CoincidentCorners) {
   const Vec3 p(0.3, 0.4, 0);
   EXPECT_EQ(triangle_ball_share({p, p, p}, 0.51).share, 1.0);
   EXPECT_EQ(triangle_ball_share({p, p, p}, 0.49).share, 0.0);
+  const Vec3 corner(3, 4, 0);
+  EXPECT_EQ(detail::share_of_simplex({corner, corner, corner}, 5).share, 1.0) << "the ball is closed";
   // A segment: the corners x1 and x2 coincide, so the share of the simplex is 1 - (1 - t)^2 from the other end.
   const Vec3 q(0, 0, 0), far(4, 0, 0);
   EXPECT_NEAR(triangle_ball_share({q, far, far}, 1).share, 1.0 / 16, 1e-14);
