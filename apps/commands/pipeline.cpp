@@ -105,6 +105,7 @@ std::size_t dropped_faces(const Measured& measured) {
 Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
   Measured m;
   static_cast<SurfaceResult&>(m) = read_and_make_surface(arguments, stages);
+  m.scan.fields = {};  // not written with the curvatures, and large
   m.balls = stages.run("measures", [&](const Execution& run) {
     return make_engine(measure_triangles(m.surface.mesh, m.surface.u, arguments.measure.quads, run), arguments.measure);
   });

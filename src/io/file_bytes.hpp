@@ -27,11 +27,10 @@ void check_file(const std::string& path);
 
 /// Maps a whole file into memory: pages are read when they are touched, and can be given back (done_before).
 ///
-/// A file that others make longer is read to the length that it had. One that they make shorter (truncate, or write
-/// anew under the same name) is refused by `check_unchanged` if it was still long enough for what was touched; else the
-/// system ends the process with SIGBUS, as for any program that maps files. A file that is replaced by renaming, as all
-/// good writers do and ours does, is safe. So is the result: readers copy what they keep, and the map ends with the
-/// reading.
+/// A file that others change meanwhile is refused by `check_unchanged`, unless they make it shorter (truncate, or write
+/// anew under the same name) than what is touched then: the system ends the process with SIGBUS, as for any program
+/// that maps files. A file that is replaced by renaming, as all good writers do and ours does, is safe. So is the
+/// result: readers copy what they keep, and the map ends with the reading.
 /// @throws Error FileNotFound if it cannot be read.
 FileBytes load_file(const std::string& path);
 

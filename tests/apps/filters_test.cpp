@@ -141,7 +141,7 @@ TEST(Filters, NoReturnsOfASpinningScannerKeepTheirRows) {
   const std::string in = shared_file("lidar/spinning/251370668.pcd");
   if (in.empty()) GTEST_SKIP() << "no shared data";
   const Folder f;
-  const Outcome done = run({"curvature", in, f.file("out.ply"), "--radius", "1"});
+  const Outcome done = run({"curvature", in, f.file("out.ply"), "--radius", "0.2"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_NE(done.out.find("5032 points at (0, 0, 0) are taken for no returns"), std::string::npos) << done.out;
   const Scan before = read_scan(in), after = read_scan(f.file("out.ply"));
@@ -152,7 +152,7 @@ TEST(Filters, NoReturnsOfASpinningScannerKeepTheirRows) {
       ASSERT_EQ(after.field("status")->values[i], 3);
     }
   }
-  const Outcome cut = run({"curvature", in, f.file("cut.ply"), "--radius", "1", "--bounds", "-10,-10,10,10"});
+  const Outcome cut = run({"curvature", in, f.file("cut.ply"), "--radius", "0.2", "--bounds", "-3,-3,3,3"});
   ASSERT_EQ(cut.exit_code, 0) << cut.err;
   EXPECT_NE(cut.out.find("5032 without a position"), std::string::npos) << cut.out;
 }
