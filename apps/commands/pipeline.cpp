@@ -98,10 +98,6 @@ void need_faces(const SurfaceArguments& arguments, const std::string& command) {
                                               " needs faces, as of umbrella");
 }
 
-std::size_t dropped_faces(const Measured& measured) {
-  return measured.balls ? measured.balls->triangles().dropped_faces : 0;
-}
-
 Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
   Measured m;
   static_cast<SurfaceResult&>(m) = read_and_make_surface(arguments, stages);
@@ -109,6 +105,8 @@ Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
   m.balls = stages.run("measures", [&](const Execution& run) {
     return make_engine(measure_triangles(m.surface.mesh, m.surface.u, arguments.measure.quads, run), arguments.measure);
   });
+  m.has_faces = true;
+  m.dropped_faces = m.balls->triangles().dropped_faces;
   return m;
 }
 

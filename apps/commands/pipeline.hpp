@@ -43,13 +43,12 @@ void need_faces(const SurfaceArguments& arguments, const std::string& command);
 
 /// A scan with everything up to its curvatures.
 struct Measured : SurfaceResult {
-  std::unique_ptr<BallSum> balls;      ///< null if the surface has no faces
+  std::unique_ptr<BallSum> balls;      ///< null if the surface has no faces, or they are needed no more
   std::vector<CurvatureField> fields;  ///< one a radius; without faces one alone
   bool automatic = false;              ///< the radius was chosen from the spacing
+  bool has_faces = false;              ///< else triangles of each point alone are measured
+  std::size_t dropped_faces = 0;       ///< that could not be measured
 };
-
-/// Faces that could not be measured.
-std::size_t dropped_faces(const Measured& measured);
 
 /// Reads and makes the surface; the balls are ready to be summed.
 Measured prepare(const CurvatureArguments& arguments, Stages& stages);

@@ -104,12 +104,13 @@ void run_segment(const SegmentArguments& arguments) {
   need_faces(common.surface, "segment");
   check_writable(common.output);
   Stages stages(common.run.threads, common.run.seed, common.run.quiet);
-  const Measured m = measure_input(common, stages);
+  Measured m = measure_input(common, stages);
   const auto segments = stages.run("regions", [&](const Execution& run) {
     std::vector<SegmentSummary> all;
     for (const CurvatureField& field : m.fields) all.push_back(segment(arguments, m, field, run));
     return all;
   });
+  m.balls.reset();  // half of the memory, before the output takes its own
   stages.run("write", [&](const Execution& run) { write_all(arguments, m, segments, run); });
   print_summary(common, m, segments, stages.timed());
 }

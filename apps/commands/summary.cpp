@@ -37,13 +37,13 @@ void print_points(const Measured& m) {
   if (s.starless_points) std::printf(", %zu without faces (isolated or on a line)", s.starless_points);
   if (s.at_sensor) std::printf(", %zu at the scanner (no return)", s.at_sensor);
   std::printf("\nsurface     %s (%s): ", name(s.kind), s.reason.c_str());
-  if (m.balls) {
+  if (m.has_faces) {
     std::printf("%zu faces, median edge %s", s.mesh.faces.size(), short_number(s.spacing).c_str());
   } else {
     std::printf("triangles of each point alone, median spacing %s", short_number(s.spacing).c_str());
   }
   if (s.cut_faces) std::printf(", %zu cut (gap, depth edge or grazing)", s.cut_faces);
-  const std::size_t dropped = dropped_faces(m);
+  const std::size_t dropped = m.dropped_faces;
   if (dropped) std::printf(", %zu left out (a corner lacks position or normal)", dropped);
   std::printf("\nnormals     %s, sign by %s\n", name(s.normals), name(s.orientation));
 }
@@ -58,7 +58,7 @@ void warn_of_disagreement(const NormalAgreement& agreement) {
 
 void print_field(const Measured& m, const CurvatureField& field) {
   const FieldSummary s = summarise(field);
-  if (m.balls) {
+  if (m.has_faces) {
     std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(),
                 m.automatic ? " (automatic, 5 median edges)" : "", s.valid);
   } else {
@@ -146,7 +146,7 @@ void print_json(const CurvatureArguments& arguments, const Measured& m, const st
                           .add("points", m.scan.points.size())
                           .add("filter", to_json(m.filtered))
                           .add("faces", s.mesh.faces.size())
-                          .add("dropped_faces", dropped_faces(m))
+                          .add("dropped_faces", m.dropped_faces)
                           .add("cut_faces", s.cut_faces)
                           .add("at_sensor", s.at_sensor)
                           .add("opposed_normals", s.agreement.opposed_share())
