@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <random>
 
 #include "kappa/mesh/measure_tree.hpp"
 #include "kappa/search/flann_ball_sum.hpp"
@@ -42,6 +43,7 @@ struct Case {
   BallDefinition ball = BallDefinition::ExactDensity;
   std::vector<double> factors = {1.0};  ///< radii over the one for `faces`
   int threads = 1;
+  enum class Run { Together, OneByOne, RandomOrder } run = Run::Together;
 };
 
 /// Enough for a whole run's state of the caches, little enough for FLANN.
@@ -51,18 +53,26 @@ std::size_t query_count(int faces) {
 
 void ball_sums(benchmark::State& state, const Case& c) {
   const BallSum& balls = engine(c.engine, c.surface);
-  const std::vector<Vec3> centres = bench::queries(c.surface, query_count(c.faces));
+  std::vector<Vec3> centres = bench::queries(c.surface, query_count(c.faces));
+  if (c.run == Case::Run::RandomOrder) std::shuffle(centres.begin(), centres.end(), std::mt19937_64(1));
   std::vector<double> radii;
   for (const double f : c.factors) radii.push_back(f * bench::radius_for(c.surface, c.faces));
   Execution run;
   run.threads = c.threads;
   std::vector<double> sums(centres.size());
   std::vector<Index> met(centres.size());
+  std::vector<std::vector<double>> runs = {radii};
+  if (c.run == Case::Run::OneByOne) {
+    runs.clear();
+    for (const double r : radii) runs.push_back({r});
+  }
   for (auto _ : state) {
-    balls.sum(centres, radii, c.ball, run, [&](std::size_t q, const BallMeasures* m) {
-      sums[q] = m[0].sum.mu0;
-      met[q] = m[0].face_count;
-    });
+    for (const std::vector<double>& of_run : runs) {
+      balls.sum(centres, of_run, c.ball, run, [&](std::size_t q, const BallMeasures* m) {
+        sums[q] = m[0].sum.mu0;
+        met[q] = m[0].face_count;
+      });
+    }
     benchmark::DoNotOptimize(sums.data());
   }
   double faces = 0;
@@ -137,11 +147,18 @@ void add_all() {
       }
     }
   }
+  const std::vector<double> five = {1.0, std::sqrt(0.5), 0.5, std::sqrt(0.125), 0.25};
   for (const int faces : {20, 200, 2000, 20000}) {
     for (const std::string engine : {"flann", "tree", "fast"}) {
-      add({"huge", engine, faces}, "sum");
-      add({"pareto", engine, faces}, "sum");
-      add({"torus", engine, faces, BallDefinition::ExactDensity, {1.0, std::sqrt(0.5), 0.5}}, "three");
+      for (const std::string surface : {"huge", "pareto", "shuffled"}) add({surface, engine, faces}, "sum");
+      Case c{"torus", engine, faces};
+      c.run = Case::Run::RandomOrder;
+      add(c, "random");
+      c.factors = five;
+      c.run = Case::Run::Together;
+      add(c, "five");
+      c.run = Case::Run::OneByOne;
+      add(c, "one_by_one");
     }
   }
   for (const int threads : {1, 2}) {

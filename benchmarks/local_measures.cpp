@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <numeric>
-#include <random>
+#include <string>
 
-#include "kappa/mesh/ball_sum.hpp"
+#include "../src/mesh/ball_workspace.hpp"
 #include "surfaces.hpp"
 
 // Measures of every face against the bandwidth of the machine: bytes that must be read and written (vertices, normals
@@ -32,22 +30,32 @@ void set_bytes(benchmark::State& state, const MeasuredTriangles& t) {
 }
 
 /// The whole call, with the check of the mesh and the copies of vertices and normals.
-void whole_call(benchmark::State& state) {
-  const bench::Surface& s = bench::surface("torus");
+void whole_call(benchmark::State& state, const std::string& surface) {
+  const bench::Surface& s = bench::surface(surface);
   for (auto _ : state) benchmark::DoNotOptimize(measure_triangles(s.mesh, s.normals).measures.data());
-  set_bytes(state, bench::measured("torus"));
+  set_bytes(state, bench::measured(surface));
 }
 
-/// A plain loop over the faces, corners in the order `order`.
-void plain_loop(benchmark::State& state, bool shuffled) {
+/// The pass over the faces alone.
+void pass(benchmark::State& state) {
   const MeasuredTriangles& t = bench::measured("torus");
-  std::vector<Index> order(t.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  if (shuffled) std::shuffle(order.begin(), order.end(), std::mt19937_64(1));
+  const kernels::TriangleView view = view_of(t);
+  const kernels::Table& table = kernels::best_table();
+  std::vector<MeasureSum> out(t.size());
+  for (auto _ : state) {
+    table.measure(view, 0, t.size(), &out[0].area);
+    benchmark::DoNotOptimize(out.data());
+  }
+  set_bytes(state, t);
+}
+
+/// A plain scalar loop over the faces.
+void plain_loop(benchmark::State& state) {
+  const MeasuredTriangles& t = bench::measured("torus");
   std::vector<MeasureSum> out(t.size());
   for (auto _ : state) {
     for (std::size_t i = 0; i < t.size(); ++i) {
-      const auto& c = t.corners[order[i]];
+      const auto& c = t.corners[i];
       out[i] = compact(triangle_measures({t.x[c[0]], t.x[c[1]], t.x[c[2]]}, {t.u[c[0]], t.u[c[1]], t.u[c[2]]}));
     }
     benchmark::DoNotOptimize(out.data());
@@ -58,10 +66,14 @@ void plain_loop(benchmark::State& state, bool shuffled) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  benchmark::RegisterBenchmark("triad", triad)->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("measures/measure_triangles", whole_call)->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("measures/plain_loop", plain_loop, false)->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("measures/plain_loop_shuffled", plain_loop, true)->Unit(benchmark::kMillisecond);
+  const auto add = [](const char* name, auto function, auto... arguments) {
+    benchmark::RegisterBenchmark(name, function, arguments...)->Unit(benchmark::kMillisecond);
+  };
+  add("triad", triad);
+  add("measures/pass", pass);
+  add("measures/plain_loop", plain_loop);
+  add("measures/measure_triangles", whole_call, std::string("torus"));
+  add("measures/measure_triangles_shuffled", whole_call, std::string("shuffled"));
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -93,22 +93,31 @@ def exponent_table(found):
     table.print()
 
 
-def hard_table(found):
-    table = Table("Faces of unlike sizes: time over that of the torus", "surface", "faces asked", *ENGINES)
-    for surface in ("huge", "pareto"):
+def over_torus_table(found, title, rows):
+    """Time over that of the torus in spatial order, for (label, surface, task)."""
+    table = Table(title, "what", "faces asked", *ENGINES)
+    for label, surface, task in rows:
         for size in SIZES[:-1]:
-            ratios = [microseconds(found, sum_name(surface, e, size)) /
+            ratios = [microseconds(found, sum_name(surface, e, size, task=task)) /
                       microseconds(found, sum_name("torus", e, size)) for e in ENGINES]
-            table.row(surface, str(size), *(show(r) for r in ratios))
+            table.row(label, str(size), *(show(r) for r in ratios))
     table.print()
 
 
+def hard_tables(found):
+    over_torus_table(found, "Faces of unlike sizes: time over that of the torus",
+                     [("one face 10^4 times the others", "huge", "sum"),
+                      ("one per cent of Pareto(1.2) sizes", "pareto", "sum")])
+    over_torus_table(found, "Disorder: time over that of the torus in spatial order",
+                     [("queries in random order", "torus", "random"),
+                      ("vertices and faces in random order", "shuffled", "sum")])
+
+
 def radii_table(found):
-    table = Table("Three radii (1, 1/sqrt 2, 1/2) in one walk: time over that of the largest alone", "faces asked",
-                  *ENGINES)
+    table = Table("Five radii (1 to 1/4 by 1/sqrt 2) in one call: time over that of five calls", "faces asked", *ENGINES)
     for size in SIZES[:-1]:
-        ratios = [microseconds(found, sum_name("torus", e, size, task="three")) /
-                  microseconds(found, sum_name("torus", e, size)) for e in ENGINES]
+        ratios = [microseconds(found, sum_name("torus", e, size, task="five")) /
+                  microseconds(found, sum_name("torus", e, size, task="one_by_one")) for e in ENGINES]
         table.row(str(size), *(show(r) for r in ratios))
     table.print()
 
@@ -142,10 +151,25 @@ def thread_table(found):
 
 
 def measure_table(found):
-    table = Table("Local measures, a million faces", "what", "ms", "GB/s", "of the triad")
-    triad = found["triad"]["bytes_per_second"]
+    table = Table("Local measures, a million faces", "what", "ms", "GB/s", "of the triad", "over the plain loop")
+    triad, plain = found["triad"]["bytes_per_second"], found["measures/plain_loop"]["cpu_time"]
     for name, b in found.items():
-        table.row(name, show(b["cpu_time"]), show(b["bytes_per_second"] / 1e9), show(b["bytes_per_second"] / triad))
+        times = "" if name == "triad" else show(plain / b["cpu_time"])
+        table.row(name, show(b["cpu_time"]), show(b["bytes_per_second"] / 1e9), show(b["bytes_per_second"] / triad),
+                  times)
+    table.print()
+
+
+def whole_runs(at):
+    return {p: json.loads(subprocess.run([os.path.join(at, "whole_run"), p], check=True, stdout=subprocess.PIPE).stdout)
+            for p in ("double", "fast")}
+
+
+def whole_table(runs):
+    table = Table("A whole run: curvatures at all vertices of the torus, balls of 200 faces", "precision", "points",
+                  "CPU s", "peak MiB of the process, with the mesh and the result")
+    for precision, r in runs.items():
+        table.row(precision, str(r["points"]), show(r["cpu_s"]), f"{r['peak_mib']:.0f}")
     table.print()
 
 
@@ -167,15 +191,17 @@ def main():
         for definition in ("exact", "fraction"):
             ball_table(found, surface, definition)
     exponent_table(found)
-    hard_table(found)
+    hard_tables(found)
     radii_table(found)
     peer_table(found)
     build_table(found)
     thread_table(found)
     measure_table(medians(local))
+    runs = whole_runs(at)
+    whole_table(runs)
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
-            json.dump({"ball_sums": sums, "local_measures": local}, file, indent=1)
+            json.dump({"ball_sums": sums, "local_measures": local, "whole_runs": runs}, file, indent=1)
 
 
 if __name__ == "__main__":

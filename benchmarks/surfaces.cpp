@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -88,7 +89,32 @@ Surface with_pareto_faces() {
   return s;
 }
 
+std::vector<Index> random_order(std::size_t count, std::uint64_t seed) {
+  std::vector<Index> order(count);
+  std::iota(order.begin(), order.end(), Index{0});
+  Random random(seed);
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  return order;
+}
+
+Surface shuffled() {
+  const Surface from = torus();
+  const std::vector<Index> place = random_order(from.mesh.vertices.size(), 4);
+  Surface s = from;
+  for (std::size_t v = 0; v < place.size(); ++v) {
+    s.mesh.vertices[place[v]] = from.mesh.vertices[v];
+    s.normals[place[v]] = from.normals[v];
+  }
+  s.mesh.faces.clear();
+  for (const Index f : random_order(from.mesh.faces.size(), 5)) {
+    const Faces::View face = from.mesh.faces[f];
+    s.mesh.faces.add(place[face[0]], place[face[1]], place[face[2]]);
+  }
+  return s;
+}
+
 Surface make(const std::string& name) {
+  if (name == "shuffled") return shuffled();
   if (name == "terrain") return terrain();
   if (name == "huge") return with_huge_face();
   if (name == "pareto") return with_pareto_faces();

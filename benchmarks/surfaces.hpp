@@ -14,8 +14,9 @@ struct Surface {
   Normals normals;
 };
 
-/// "torus" (R = 3, r = 1, jittered), "terrain" (2.5D), "huge" (the torus and one face 10^4 times the others) or
-/// "pareto" (the torus and one per cent more faces, their sizes Pareto(1.2)). Made once.
+/// "torus" (R = 3, r = 1, jittered), "terrain" (2.5D), "huge" (the torus and one face 10^4 times the others), "pareto"
+/// (the torus and one per cent more faces, their sizes Pareto(1.2)) or "shuffled" (the torus, its vertices and faces in
+/// random order). Made once.
 const Surface& surface(const std::string& name);
 
 /// The measured triangles of a surface. Made once.

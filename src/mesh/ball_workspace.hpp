@@ -49,25 +49,17 @@ class BallWorkspace {
         direct_(sorted.radii.size()),
         sums_(sorted.radii.size()) {}
 
-  /// Empties the balls; the query to gather with stays valid until the next call.
-  const kernels::BallQuery<Real>& start(const Vec3& centre) {
-    centre_ = centre;
-    for (kernels::Gathering<Real>& b : balls_) {
-      std::fill(std::begin(b.sum), std::end(b.sum), 0.0);
-      std::fill_n(&b.excess[0][0], sizeof(b.excess) / sizeof(double), 0.0);
-      b.faces = 0;
-      b.whole_count = b.corners.count = b.outside.count = b.caps.count = b.irregular.count = 0;
+  /// The measures of the balls in the order in which the radii were given; `gather(query)` sees to all triangles.
+  template <class Gather>
+  const BallMeasures* measure(const Vec3& centre, const Gather& gather) {
+    start(centre, false);
+    if (is_finite(centre)) gather(query_);
+    if (std::is_same_v<Real, double> && uncertain()) {
+      start(centre, true);
+      gather(query_);
     }
-    std::fill(direct_.begin(), direct_.end(), BallMeasures{});
-    query_ = {{centre[0], centre[1], centre[2]},
-              radii_.radii.data(),
-              radii_.radii_sq.data(),
-              static_cast<int>(radii_.radii.size()),
-              ball_ == BallDefinition::ExactDensity,
-              balls_.data(),
-              add_careful,
-              this};
-    return query_;
+    for (std::size_t r = 0; r < balls_.size(); ++r) sums_[radii_.given[r]] = total(r);
+    return sums_.data();
   }
 
   /// Adds triangles inside of the ball number `radius` by size, with their sum.
@@ -76,13 +68,41 @@ class BallWorkspace {
     direct_[radius].face_count += faces;
   }
 
-  /// The measures of the balls in the order in which the radii were given.
-  const BallMeasures* finish() {
-    for (std::size_t r = 0; r < balls_.size(); ++r) sums_[radii_.given[r]] = total(r);
-    return sums_.data();
+ private:
+  void start(const Vec3& centre, bool all_careful) {
+    centre_ = centre;
+    for (kernels::Gathering<Real>& b : balls_) {
+      std::fill(std::begin(b.sum), std::end(b.sum), 0.0);
+      std::fill_n(&b.excess[0][0], sizeof(b.excess) / sizeof(double), 0.0);
+      std::fill(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
+      b.faces = b.measured = 0;
+      b.whole_count = b.corners.count = b.outside.count = b.caps.count = b.irregular.count = 0;
+    }
+    std::fill(direct_.begin(), direct_.end(), BallMeasures{});
+    query_ = {{centre[0], centre[1], centre[2]},
+              radii_.radii.data(),
+              radii_.radii_sq.data(),
+              static_cast<int>(radii_.radii.size()),
+              ball_ == BallDefinition::ExactDensity,
+              all_careful,
+              balls_.data(),
+              add_careful,
+              this};
   }
 
- private:
+  /// Whether a ball holds so little that rounding may show: the area of a part is off by a few roundings of radius *
+  /// longest edge, and the sum of n edges is at most sqrt(n * sum of squares).
+  bool uncertain() const {
+    constexpr double kLittle = 4e-3;
+    for (std::size_t r = 0; r < balls_.size(); ++r) {
+      const kernels::Gathering<Real>& b = balls_[r];
+      const double edges_sq = std::accumulate(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
+      const double little = kLittle * radii_.radii[r], area = b.sum[0] + direct_[r].sum.area;
+      if (area * area < little * little * edges_sq * static_cast<double>(b.measured)) return true;
+    }
+    return false;
+  }
+
   static void add_careful(void* workspace, std::uint32_t triangle, int radius) {
     auto& w = *static_cast<BallWorkspace*>(workspace);
     const auto r = static_cast<std::size_t>(radius);

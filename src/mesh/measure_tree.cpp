@@ -127,8 +127,7 @@ Vec3 set_origin(Leaf<float>& leaf, const Vec3& origin) {
 void set_normals(Leaf<double>&, std::size_t, const MeasuredTriangles&, std::size_t) {}
 void set_normals(Leaf<float>& leaf, std::size_t lane, const MeasuredTriangles& t, std::size_t triangle) {
   const auto& c = t.corners[triangle];
-  for (int i = 0; i < 6; ++i)
-    leaf.x[9 + i][lane] = static_cast<float>(t.u[c[i < 3 ? 1 : 2]][i % 3] - t.u[c[0]][i % 3]);
+  for (int i = 0; i < 6; ++i) leaf.x[9 + i][lane] = static_cast<float>(t.u[c[i < 3 ? 1 : 2]][i % 3] - t.u[c[0]][i % 3]);
 }
 
 template <class Real>
@@ -195,10 +194,8 @@ class Hierarchy {
     parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
       BallWorkspace<Real>& space = spaces[static_cast<std::size_t>(worker)];
       for (std::size_t i = begin; i < end; ++i) {
-        const Vec3& centre = centres[order[i]];
-        const kernels::BallQuery<Real>& query = space.start(centre);
-        if (is_finite(centre)) query_of<Real>(table)(tree, query);
-        sink(order[i], space.finish());
+        sink(order[i],
+             space.measure(centres[order[i]], [&](const auto& query) { query_of<Real>(table)(tree, query); }));
       }
     });
   }

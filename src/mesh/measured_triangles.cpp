@@ -56,8 +56,7 @@ void add_face(MeasuredTriangles& t, const Mesh& mesh, std::size_t f) {
 void take_all(MeasuredTriangles& t, const Mesh& mesh) {
   const std::size_t count = mesh.faces.size();
   const Index* const corners = mesh.faces.corners().data();
-  for (std::size_t f = 0; f < count; ++f)
-    t.corners.push_back({corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]});
+  for (std::size_t f = 0; f < count; ++f) t.corners.push_back({corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]});
   t.weights.assign(mesh.weights.begin(), mesh.weights.end());
   t.weights.resize(count, 1.0);
   t.faces.resize(count);

@@ -99,14 +99,13 @@ struct FlannBallSum::Impl {
 
   const BallMeasures* query(const Vec3& centre, double largest, Workspace& w) const {
     constexpr double kMargin = 1 + 1e-9;
-    const kernels::BallQuery<double>& query = w.balls.start(centre);
-    if (!is_finite(centre)) return w.balls.finish();
-    for (const SizeClass& c : classes) {
-      c.centroids->within(centre, (largest + c.bound) * kMargin, w.found, w.distances_sq);
-      for (int r = 0; r < query.count; ++r) add_found(c, r, query, w);
-    }
-    for (int r = 0; r < query.count; ++r) table.finish(view, query, r);
-    return w.balls.finish();
+    return w.balls.measure(centre, [&](const kernels::BallQuery<double>& query) {
+      for (const SizeClass& c : classes) {
+        c.centroids->within(centre, (largest + c.bound) * kMargin, w.found, w.distances_sq);
+        for (int r = 0; r < query.count; ++r) add_found(c, r, query, w);
+      }
+      for (int r = 0; r < query.count; ++r) table.finish(view, query, r);
+    });
   }
 };
 

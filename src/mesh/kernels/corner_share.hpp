@@ -99,12 +99,13 @@ struct CornerLimits<float> {
 
 /// Whether the forms keep their digits for triangles of that plane.
 template <class Real, class V>
-inline auto well_shaped(const Plane<V>& p, V e33, V radius_sq) {
+inline auto well_shaped(const Plane<V>& p, V longest_sq, V radius_sq) {
   constexpr Real kSliver = Limits<Real>::kSliver, kTiny = CornerLimits<Real>::kTiny;
-  const V longest_sq = max(p.e11, max(p.e22, e33));
+  constexpr Real kLargest = Limits<Real>::kLargest;
   return (p.normal_sq >= spread(kSliver * kSliver) * longest_sq * longest_sq) &
          (p.normal_sq >= spread(kTiny * kTiny) * radius_sq * longest_sq) &
-         (p.disc_sq >= spread(Real(kFlattest)) * radius_sq * p.normal_sq);
+         (p.disc_sq >= spread(Real(kFlattest)) * radius_sq * p.normal_sq) &
+         (longest_sq <= spread(kLargest * kLargest) * radius_sq);
 }
 
 /// The circular segment over a chord, as a share of the triangle.
@@ -136,6 +137,7 @@ inline V crossing(V along, V length_sq, V power, M inside) {
 template <class V, class M>
 struct CornerPiece {
   Piece<V> piece;
+  V longest_sq;
   M good;
   M opposite_cut;  ///< the cap beyond the edge opposite to the first corner is to be taken away
 };
@@ -162,7 +164,8 @@ inline CornerPiece<V, M> corner_piece(const Corners<V>& t, V power, V radius_sq)
   const V widest = spread(Real(kWidestArc));
   const M narrow = (s <= widest) & (select(inside, before, -before) >= zero);
   const M wide_cap = c.opposite_cut & (discriminant * p.normal_sq > widest * e33 * p.disc_sq);
-  c.good = well_shaped<Real>(p, e33, radius_sq) & narrow & ~wide_cap;
+  c.longest_sq = max(p.e11, max(p.e22, e33));
+  c.good = well_shaped<Real>(p, c.longest_sq, radius_sq) & narrow & ~wide_cap;
 
   const Segment<V> segment = segment_over<Real>(chord_sq, p, s);
   const V cut_off = select(inside, f1 * f2, -f1 * f2);
@@ -191,8 +194,9 @@ inline Piece<V> cap_piece(const Corners<V>& t, V sign, V radius_sq) {
 }
 
 /// How the sphere meets triangles with all corners outside.
-template <class M>
+template <class V, class M>
 struct OutsideCase {
+  V longest_sq;
   M missed;    ///< certainly
   M simple;    ///< certainly met, and the sum of the caps of the edges cut
   M cut[3];    ///< by edge
@@ -200,13 +204,14 @@ struct OutsideCase {
 };
 
 template <class Real, class V, class M>
-inline OutsideCase<M> outside_case(const Corners<V>& t, V radius, V radius_sq) {
+inline OutsideCase<V, M> outside_case(const Corners<V>& t, V radius, V radius_sq) {
   const V zero = spread(Real(0));
   const Plane<V> p = plane_of<Real>(t, radius_sq);
   const Vector3<V> normal = cross(p.e1, p.e2), e3 = t.x2 - t.x1;
   const V e33 = dot(e3, e3);
-  const V margin = spread(Limits<Real>::kClear) * radius * max(radius, sqrt(max(p.e11, max(p.e22, e33))));
-  OutsideCase<M> c;
+  OutsideCase<V, M> c;
+  c.longest_sq = max(p.e11, max(p.e22, e33));
+  const V margin = spread(Limits<Real>::kClear) * radius * max(radius, sqrt(c.longest_sq));
   M narrow, unclear, any;
   M once = zero > zero, twice = once;
   unclear = any = once;
@@ -230,11 +235,10 @@ inline OutsideCase<M> outside_case(const Corners<V>& t, V radius, V radius_sq) {
                   (dot(normal, cross(t.x2, t.x0)) >= zero);
   const M far = p.disc_sq < -margin * p.normal_sq;
   constexpr Real kSliver = Limits<Real>::kSliver, kTiny = Limits<Real>::kTiny;
-  const V longest_sq = max(p.e11, max(p.e22, e33));
-  const M regular = (p.normal_sq >= spread(kSliver * kSliver) * longest_sq * longest_sq) &
-                    (p.normal_sq >= spread(kTiny * kTiny) * radius_sq * longest_sq);
+  const M regular = (p.normal_sq >= spread(kSliver * kSliver) * c.longest_sq * c.longest_sq) &
+                    (p.normal_sq >= spread(kTiny * kTiny) * radius_sq * c.longest_sq);
   c.missed = regular & ~any & ~unclear & (~above | far);
-  c.simple = well_shaped<Real>(p, e33, radius_sq) & once & ~twice & ~unclear & narrow;
+  c.simple = well_shaped<Real>(p, c.longest_sq, radius_sq) & once & ~twice & ~unclear & narrow;
   return c;
 }
 

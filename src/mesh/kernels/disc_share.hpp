@@ -25,6 +25,7 @@ struct Limits<double> {
   static constexpr double kTiny = 3e-4;      ///< height over radius, likewise
   static constexpr double kCertain = 1e-12;  ///< area over radius * longest edge above which it is no rounding error
   static constexpr double kClear = 1e-10;    ///< gap in squared distance over radius^2 that is no rounding error
+  static constexpr double kLargest = 64;  ///< longest edge over radius above which the careful forms keep more digits
   static constexpr double kTiniest = 1e-290;
 };
 
@@ -34,6 +35,7 @@ struct Limits<float> {
   static constexpr float kTiny = 1e-3F;
   static constexpr float kCertain = 1e-5F;
   static constexpr float kClear = 1e-5F;
+  static constexpr float kLargest = 1e3F;
   static constexpr float kTiniest = 1e-35F;
 };
 
@@ -121,6 +123,7 @@ inline void add_segment(const Vector2<V>& a, const Vector2<V>& b, const Vector2<
 template <class V, class M>
 struct Shares {
   V share, b1, b2;  ///< as in TriangleShare
+  V longest;        ///< edge
   M certain;        ///< lanes whose share is right, and not 0
   M missed;         ///< lanes that certainly do not meet the ball
 };
@@ -170,9 +173,11 @@ inline Shares<V, M> disc_shares(const Corners<V>& t, Real radius) {
   s.b1 = min(max(x, zero), one - b2);
   s.b2 = b2;
   s.share = min(sum.twice_area / twice_whole, one);
+  s.longest = longest;
   const auto regular =
       (least_height >= spread(Limits<Real>::kSliver) * longest) & (least_height >= spread(Limits<Real>::kTiny) * ball);
-  s.certain = (sum.twice_area > spread(Limits<Real>::kCertain) * ball * longest) & (r_sq > zero) & regular;
+  const auto large = longest > spread(Limits<Real>::kLargest) * ball;
+  s.certain = ~large & (sum.twice_area > spread(Limits<Real>::kCertain) * ball * longest) & (r_sq > zero) & regular;
   const V edges_sq = min(c1.distance_sq, min(c2.distance_sq, c3.distance_sq));
   const V distance_sq = select(min(c1.inside, min(c2.inside, c3.inside)) < zero, edges_sq, zero);
   s.missed = (distance_sq - r_sq > spread(Limits<Real>::kClear) * ball * max(ball, longest)) & regular;

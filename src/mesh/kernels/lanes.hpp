@@ -244,7 +244,8 @@ inline Vector3<VD> gathered_vectors(const double* const (&from)[4]) {
   const __m256d c = _mm256_maskload_pd(from[2], three), d = _mm256_maskload_pd(from[3], three);
   const __m256d xz_ab = _mm256_unpacklo_pd(a, b), xz_cd = _mm256_unpacklo_pd(c, d);
   return {_mm256_permute2f128_pd(xz_ab, xz_cd, 0x20),
-          _mm256_insertf128_pd(_mm256_unpackhi_pd(a, b), _mm_unpackhi_pd(_mm256_castpd256_pd128(c), _mm256_castpd256_pd128(d)), 1),
+          _mm256_insertf128_pd(_mm256_unpackhi_pd(a, b),
+                               _mm_unpackhi_pd(_mm256_castpd256_pd128(c), _mm256_castpd256_pd128(d)), 1),
           _mm256_permute2f128_pd(xz_ab, xz_cd, 0x31)};
 #else
   const auto row = [&](int axis) { return VD{from[0][axis], from[1][axis], from[2][axis], from[3][axis]}; };

@@ -106,8 +106,8 @@ inline VF named(VF triangles, MF, MF) {
 
 /// Rows of the differences of the normals, in floats.
 inline void let_normals_wait(const Leaf<double>&, const Compression<VD>&, MD, MD, int, Waiting<double>&) {}
-inline void let_normals_wait(const Leaf<float>& leaf, const Compression<VF>& packed, MF second, MF third,
-                             int at, Waiting<float>& w) {
+inline void let_normals_wait(const Leaf<float>& leaf, const Compression<VF>& packed, MF second, MF third, int at,
+                             Waiting<float>& w) {
   for (int axis = 0; axis < 3; ++axis) {
     const VF d1 = load<VF>(leaf.x[9 + axis]), d2 = load<VF>(leaf.x[12 + axis]);
     store(w.x[9 + axis] + at, packed(select(second, d2 - d1, select(third, -d2, d1))));
@@ -166,7 +166,8 @@ inline void add_placed(const Rim<Real>& rim, const Leaf<Real>& leaf, const Place
 
 /// Adds 8 triangles to one ball. `sums`: of all of them, or null; `faces`: how many there are of them.
 template <class Real>
-inline void add_leaf_to(const Rim<Real>& rim, const Leaf<Real>& leaf, const Placed<Real> (&p)[kWidth / Lanes<Real>::kCount],
+inline void add_leaf_to(const Rim<Real>& rim, const Leaf<Real>& leaf,
+                        const Placed<Real> (&p)[kWidth / Lanes<Real>::kCount],
                         const Vector<Real> (&triangles)[kWidth / Lanes<Real>::kCount], const double* sums,
                         unsigned faces) {
   constexpr int kParts = kWidth / Lanes<Real>::kCount;

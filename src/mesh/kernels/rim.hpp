@@ -106,6 +106,25 @@ inline void add_pieces(const Rim<Real>& rim, const Waiting<Real>& w, int first, 
   add_excess(normal_differences(rim.triangles, w, first), t.x1 - t.x0, t.x2 - t.x0, m1, m2, rim.ball);
 }
 
+/// Counts triangles that were measured together, and what the error of their sum depends on.
+template <class Real, class M>
+inline void count_measured(const Rim<Real>& rim, Vector<Real> longest_sq, M of) {
+  const auto count = static_cast<unsigned>(__builtin_popcount(bits(of)));
+  rim.ball.measured += count;
+  rim.ball.faces += count;
+  add_lanes(rim.ball.longest_sq, select(of, longest_sq, spread(Real(0))));
+}
+
+/// Whether all that waits has gone to the careful forms.
+template <class Real>
+inline bool all_to_careful(const Rim<Real>& rim, Waiting<Real>& w) {
+  if (!rim.query.all_careful) return false;
+  for (int i = 0; i < w.count; ++i)
+    rim.query.careful(rim.query.context, static_cast<std::uint32_t>(w.id[i]), rim.radius);
+  w.count = 0;
+  return true;
+}
+
 /// Share and moments by the form that is right for every case but slivers and contact.
 template <class Real, bool kMoments>
 void add_irregular(const Rim<Real>& rim) {
@@ -117,9 +136,8 @@ void add_irregular(const Rim<Real>& rim) {
     const auto part = disc_shares<Real, V, Mask<Real>>(t, static_cast<Real>(rim.query.radii[rim.radius]));
     const Mask<Real> certain = part.certain & valid;
     for (unsigned rest = bits(valid & ~certain & ~part.missed); rest != 0; rest &= rest - 1)
-      rim.query.careful(rim.query.context, static_cast<std::uint32_t>(w.id[first + __builtin_ctz(rest)]),
-                        rim.radius);
-    rim.ball.faces += static_cast<unsigned>(__builtin_popcount(bits(certain)));
+      rim.query.careful(rim.query.context, static_cast<std::uint32_t>(w.id[first + __builtin_ctz(rest)]), rim.radius);
+    count_measured(rim, part.longest * part.longest, certain);
     const Piece<V> piece = {part.share, part.share * (part.b1 - third), part.share * (part.b2 - third)};
     add_pieces<Real, kMoments>(rim, w, first, piece, t, certain);
   });
@@ -154,6 +172,7 @@ template <class Real, bool kMoments>
 void add_corners(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.corners;
+  if (all_to_careful(rim, w)) return;
   const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
   for_lanes(w, [&](int first, Mask<Real> valid) {
     const Corners<V> t = corners_at(w, first);
@@ -164,7 +183,7 @@ void add_corners(const Rim<Real>& rim) {
       hand_on(w, first + __builtin_ctz(rest), 0, rim.ball.irregular);
     for (unsigned rest = bits(c.opposite_cut & good); rest != 0; rest &= rest - 1)
       let_cap_wait(rim, w, first + __builtin_ctz(rest), 1, Real(-1));
-    rim.ball.faces += static_cast<unsigned>(__builtin_popcount(bits(good)));
+    count_measured(rim, c.longest_sq, good);
     add_pieces<Real, kMoments>(rim, w, first, c.piece, t, good);
   });
 }
@@ -174,6 +193,7 @@ template <class Real, bool kMoments>
 void sort_outside(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.outside;
+  if (all_to_careful(rim, w)) return;
   const V radius = spread(static_cast<Real>(rim.query.radii[rim.radius]));
   const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
   for_lanes(w, [&](int first, Mask<Real> valid) {
@@ -191,7 +211,7 @@ void sort_outside(const Rim<Real>& rim) {
         let_cap_wait(rim, w, first + lane, edge, (added >> lane & 1) ? Real(1) : Real(-1));
       }
     }
-    rim.ball.faces += static_cast<unsigned>(__builtin_popcount(simple));
+    count_measured(rim, c.longest_sq, c.simple & valid);
   });
 }
 

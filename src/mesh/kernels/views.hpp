@@ -93,9 +93,11 @@ struct alignas(64) Waiting {
 /// What a ball has got so far.
 template <class Real>
 struct alignas(64) Gathering {
-  double sum[12];       ///< kSums used
-  double excess[7][8];  ///< mu0 and sym mu that cut triangles have over their share, a lane each
-  std::uint64_t faces;
+  double sum[12];                 ///< kSums used
+  double excess[7][8];            ///< mu0 and sym mu that cut triangles have over their share, a lane each
+  double longest_sq[8];           ///< sum over the triangles that were measured together, a lane each
+  std::uint64_t measured;         ///< how many these are
+  std::uint64_t faces;            ///< met
   const double* whole[kWaiting];  ///< sums of nodes and triangles inside, to be added
   int whole_count;
   float out_sq, in_sq;      ///< in the unit of the tree: boxes farther away are out, nearer ones in
@@ -113,6 +115,7 @@ struct BallQuery {
   const double* radii_sq;
   int count;
   bool exact_density;
+  bool all_careful;        ///< every triangle on the rim goes to `careful`
   Gathering<Real>* balls;  ///< one a radius
   /// Receives a triangle whose share in the ball of the radius needs the forms of triangle_ball.hpp.
   void (*careful)(void* context, std::uint32_t triangle, int radius);
