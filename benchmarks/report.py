@@ -197,6 +197,7 @@ def main():
     build_table(found)
     thread_table(found)
     measure_table(medians(local))
+    sys.stdout.flush()
     runs = whole_runs(at)
     whole_table(runs)
     if options.json:

@@ -8,7 +8,8 @@
 #include "kappa/mesh/measure_tree.hpp"
 #include "surfaces.hpp"
 
-// whole_run double|fast: curvatures at all vertices of the torus in one process, and the peak of its memory in MiB as JSON.
+// whole_run double|fast: curvatures at all vertices of the torus in one process, and the peak of its memory in MiB as
+// JSON.
 
 int main(int argc, char** argv) {
   using namespace kappa;

@@ -9,7 +9,9 @@ namespace kappa {
 ///
 /// Triangles are sorted in classes by the octave of their bounding radius around the centroid, one
 /// index a class, so that one huge triangle does not widen every search. A triangle that the search
-/// places inside the ball is added whole, one at the rim by exact intersection.
+/// places inside the ball is added whole, those at the rim by exact intersection, many at a time
+/// with the kernels of MeasureTree. Equal to BruteForceBallSum to 1e-12 of the sum of absolute
+/// values in the ball.
 /// Cost: about linear in the number of triangles in the ball.
 class FlannBallSum final : public BallSum {
  public:

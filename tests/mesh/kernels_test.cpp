@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../../src/mesh/kernels/views.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <random>
+
+#include "kappa/mesh/measure_tree.hpp"
+#include "support/ball_sums.hpp"
+#include "support/shapes.hpp"
+
+namespace kappa {
+namespace {
+
+using shapes::Shape;
+using test::sums;
+
+constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
+
+/// Vertices, and as many places off the surface.
+std::vector<Vec3> places(const Mesh& mesh, std::size_t count) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0, 0.3);
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& x = mesh.vertices[random() % mesh.vertices.size()];
+    out.push_back(x);
+    out.push_back(x + Vec3(normal(random), normal(random), normal(random)));
+  }
+  return out;
+}
+
+void expect_same_bits(const MeasuredTriangles& t, const std::vector<Vec3>& centres, const std::vector<double>& radii,
+                      const std::string& name) {
+  for (const Precision precision : {Precision::Double, Precision::Fast}) {
+    const MeasureTree best(t, precision), baseline(t, precision, kernels::baseline_table());
+    for (const BallDefinition ball : kBalls) {
+      const auto a = sums(best, centres, radii, ball), b = sums(baseline, centres, radii, ball);
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(std::memcmp(&a[i].sum, &b[i].sum, sizeof(MeasureSum)), 0) << name << ", ball " << i;
+        EXPECT_EQ(a[i].face_count, b[i].face_count) << name << ", ball " << i;
+      }
+    }
+  }
+}
+
+TEST(Kernels, EveryInstructionSetGivesTheSameBits) {
+  if (&kernels::best_table() == &kernels::baseline_table()) GTEST_SKIP() << "this processor has the baseline alone";
+  const Shape s = shapes::torus(3, 1, 60, 41);
+  expect_same_bits(measure_triangles(s.mesh, s.normals), places(s.mesh, 200), {0.05, 0.3, 1.2, 5}, "torus");
+  for (const shapes::Specimen& z : shapes::zoo())
+    expect_same_bits(measure_triangles(z.mesh, z.normals), places(z.mesh, 40), {0.053, 0.41, 4.0}, z.name);
+}
+
+TEST(Kernels, EveryInstructionSetMeasuresFacesToTheSameBits) {
+  const Shape s = shapes::torus(3, 1, 31, 23);
+  MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  t.weights.back() = 3;
+  kernels::TriangleView view = {t.size(),      &t.measures[0].area, t.corners[0].data(),
+                                t.x[0].data(), t.u[0].data(),       t.weights.data()};
+  for (const std::size_t count : {t.size(), std::size_t{1}, std::size_t{6}}) {
+    std::vector<MeasureSum> best(t.size()), baseline(t.size());
+    kernels::best_table().measure(view, t.size() - count, t.size(), &best[0].area);
+    kernels::baseline_table().measure(view, t.size() - count, t.size(), &baseline[0].area);
+    EXPECT_EQ(std::memcmp(best.data(), baseline.data(), t.size() * sizeof(MeasureSum)), 0) << count;
+    EXPECT_EQ(best[t.size() - count].area == 0, false);
+    EXPECT_EQ(best.back().mu0, 3 * t.measures.back().mu0);
+  }
+}
+
+TEST(MeasuredTriangles, AreThoseOfEveryTriangleAlone) {
+  for (const shapes::Specimen& z : shapes::zoo()) {
+    Mesh mesh = z.mesh;
+    mesh.weights.clear();
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) mesh.weights.push_back(1 + static_cast<double>(f % 3));
+    const MeasuredTriangles t = measure_triangles(mesh, z.normals);
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const auto& c = t.corners[i];
+      const Measures m = triangle_measures({t.x[c[0]], t.x[c[1]], t.x[c[2]]}, {t.u[c[0]], t.u[c[1]], t.u[c[2]]});
+      const double w = mesh.weights[t.faces[i]], size = (t.x[c[1]] - t.x[c[0]]).norm() + (t.x[c[2]] - t.x[c[0]]).norm();
+      // Of terms of the size of edges squared and edges, a few roundings.
+      EXPECT_NEAR(t.measures[i].area, w * m.area, 1e-15 * w * size * size) << z.name << i;
+      EXPECT_NEAR(t.measures[i].mu0, w * m.mu0, 1e-15 * w * size * size) << z.name << i;
+      EXPECT_NEAR(t.measures[i].mu1(), w * m.mu1, 1e-14 * w * size) << z.name << i;
+      EXPECT_NEAR(t.measures[i].mu2, w * m.mu2, 1e-14 * w) << z.name << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kappa
