@@ -27,7 +27,8 @@ struct Info {
   LengthUnits units;
   std::size_t invalid = 0, duplicates = 0;
   Bounds extent;  ///< in the coordinates of the file
-  double spacing = kNaN, edge = kNaN, radius = kNaN;
+  double spacing = kNaN, edge = kNaN, radius = kNaN, noise = kNaN;
+  std::string reason;   ///< of the radius
   std::string surface;  ///< what `auto` would make of it, and why; empty if nothing
   Topology topology;
 };
@@ -58,6 +59,8 @@ Info gather(const std::string& input, const FilterArguments& filters) {
     info.surface = std::string(name(surface.kind)) + " (" + surface.reason + ")";
   }
   info.radius = automatic_radius(surface);
+  info.reason = automatic_radius_reason(surface);
+  info.noise = surface.scale.noise;
   info.filtered.restore(info.scan);
   return info;
 }
@@ -103,8 +106,9 @@ void print_text(const std::string& input, const Info& info) {
   if (s.viewpoint) std::printf("viewpoint   %g %g %g\n", s.viewpoint->x(), s.viewpoint->y(), s.viewpoint->z());
   if (s.is_mesh()) print_topology(info.topology, info.edge);
   if (!info.surface.empty()) std::printf("surface     %s\n", info.surface.c_str());
-  std::printf("suggested   --radius %s (5 median edges%s)\n", short_number(info.radius).c_str(),
-              s.is_mesh() ? "; 0 for the finest scale" : " of that surface");
+  if (info.noise >= 0) std::printf("noise       %s (across the surface)\n", short_number(info.noise).c_str());
+  std::printf("suggested   --radius %s (%s%s)\n", short_number(info.radius).c_str(), info.reason.c_str(),
+              s.is_mesh() ? "; 0 for the finest scale" : "");
 }
 
 void print_json(const std::string& input, const Info& info) {
@@ -130,7 +134,7 @@ void print_json(const std::string& input, const Info& info) {
   json.add("components", t.components).add("euler", static_cast<double>(t.euler)).add("median_edge", info.edge);
   json.add("metres_per_unit", info.units.horizontal.value_or(kNaN));
   json.add("metres_per_unit_of_height", info.units.vertical.value_or(kNaN));
-  json.add("surface", info.surface).add("suggested_radius", info.radius);
+  json.add("surface", info.surface).add("suggested_radius", info.radius).add("noise", info.noise);
   std::printf("%s\n", json.text().c_str());
 }
 

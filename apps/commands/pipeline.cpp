@@ -100,7 +100,12 @@ void need_faces(const SurfaceArguments& arguments, const std::string& command) {
 
 Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
   Measured m;
-  static_cast<SurfaceResult&>(m) = read_and_make_surface(arguments, stages);
+  SurfaceCommand command = arguments;
+  for (const double radius : parse_radii(arguments.measure.radii)) {
+    std::optional<double>& smallest = command.surface.surface.measured_radius;
+    if (radius > 0) smallest = std::min(radius, smallest.value_or(radius));
+  }
+  static_cast<SurfaceResult&>(m) = read_and_make_surface(command, stages);
   m.scan.fields = {};  // not written with the curvatures, and large
   m.balls = stages.run("measures", [&](const Execution& run) {
     return make_engine(measure_triangles(m.surface.mesh, m.surface.u, arguments.measure.quads, run), arguments.measure);

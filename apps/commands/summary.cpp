@@ -26,6 +26,14 @@ std::array<std::size_t, kLabelCount> count_labels(const std::vector<Label>& labe
   return counts;
 }
 
+/// What planes were fitted to.
+std::string extent_of_planes(const Surface& s) {
+  if (s.normals != NormalsKind::Pca) return "";
+  const std::string nearest = std::to_string(s.normal_neighbours) + " nearest";
+  return s.normal_radius > 0 ? " of all points within " + short_number(s.normal_radius) + " or the " + nearest
+                             : " of the " + nearest;
+}
+
 void print_points(const Measured& m) {
   const Surface& s = m.surface;
   const std::string filtered = describe(m.filtered);
@@ -45,7 +53,7 @@ void print_points(const Measured& m) {
   if (s.cut_faces) std::printf(", %zu cut (gap, depth edge or grazing)", s.cut_faces);
   const std::size_t dropped = m.dropped_faces;
   if (dropped) std::printf(", %zu left out (a corner lacks position or normal)", dropped);
-  std::printf("\nnormals     %s, sign by %s\n", name(s.normals), name(s.orientation));
+  std::printf("\nnormals     %s%s, sign by %s\n", name(s.normals), extent_of_planes(s).c_str(), name(s.orientation));
 }
 
 void warn_of_disagreement(const NormalAgreement& agreement) {
@@ -59,8 +67,8 @@ void warn_of_disagreement(const NormalAgreement& agreement) {
 void print_field(const Measured& m, const CurvatureField& field) {
   const FieldSummary s = summarise(field);
   if (m.has_faces) {
-    std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(),
-                m.automatic ? " (automatic, 5 median edges)" : "", s.valid);
+    const std::string why = m.automatic ? " (automatic: " + automatic_radius_reason(m.surface) + ")" : "";
+    std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(), why.c_str(), s.valid);
   } else {
     std::printf("curvatures  %zu valid", s.valid);
   }
@@ -159,6 +167,10 @@ void print_json(const CurvatureArguments& arguments, const Measured& m, const st
                           .add("normals", name(s.normals))
                           .add("orientation", name(s.orientation))
                           .add("spacing", s.spacing)
+                          .add("radius_reason", m.automatic ? automatic_radius_reason(s) : std::string())
+                          .add("noise", s.scale.noise)
+                          .add("normal_neighbours", static_cast<std::size_t>(s.normal_neighbours))
+                          .add("normal_radius", s.normal_radius)
                           .add_list("fields", fields)
                           .add("seconds", seconds)
                           .text()

@@ -83,9 +83,14 @@ void declare(CLI::App& command, SurfaceArguments& options) {
                                        {"max", NormalsKind::Max},
                                        {"pca", NormalsKind::Pca}}))
       ->option_text("KIND=auto");
-  command.add_option("--normal-neighbours", s.normal_neighbours, "Points that a plane is fitted to for pca")
-      ->check(CLI::Range(3, 100000))
-      ->capture_default_str();
+  command
+      .add_option("--normal-neighbours", s.normal_neighbours,
+                  "Points that a plane is fitted to for pca (24, and more where the points are noisy)")
+      ->check(CLI::Range(3, 100000));
+  command
+      .add_option("--normal-radius", s.normal_radius,
+                  "Radius within which planes are fitted for pca, where it holds enough points (chosen from the noise)")
+      ->check(CLI::PositiveNumber);
   command.add_option("--smooth", s.averaging_passes, "Averaging passes over the normals")
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();

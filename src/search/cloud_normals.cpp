@@ -6,8 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include <Eigen/Eigenvalues>
-
+#include "ball_planes.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/ball_sum.hpp"
 
@@ -22,23 +21,42 @@ bool less_by_coordinates(const Vec3& a, const Vec3& b) {
 
 /// Normal of the plane of least squares, the zero vector if the points do not span a plane.
 Vec3 plane_normal(const std::vector<Vec3>& points, const std::vector<Index>& neighbours) {
-  if (neighbours.size() < 3) return Vec3::Zero();
+  if (neighbours.empty()) return Vec3::Zero();
   // About the first neighbour, the point itself, so that nothing cancels.
   const Vec3& centre = points[neighbours.front()];
-  Vec3 mean = Vec3::Zero();
-  for (const Index i : neighbours) mean += points[i] - centre;
-  mean /= static_cast<double>(neighbours.size());
-  Mat3 covariance = Mat3::Zero();
+  Vec3 sum = Vec3::Zero();
+  Mat3 products = Mat3::Zero();
   for (const Index i : neighbours) {
-    const Vec3 d = points[i] - centre - mean;
-    covariance += d * d.transpose();
+    const Vec3 d = points[i] - centre;
+    sum += d;
+    products += d * d.transpose();
   }
-  const double size = covariance.trace();
-  if (!(size > 0)) return Vec3::Zero();
-  Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance / size);
-  constexpr double kCollinear = 1e-12;
-  if (solver.eigenvalues()[1] <= kCollinear) return Vec3::Zero();
-  return solver.eigenvectors().col(0).normalized();
+  return plane_of_moments(static_cast<double>(neighbours.size()), sum, products);
+}
+
+/// Normals of those that have none yet, from their nearest neighbours.
+void fit_nearest(const std::vector<Vec3>& distinct, int neighbours, const Execution& run, Normals& normals) {
+  std::vector<Index> order = spatial_order(distinct);
+  order.erase(std::remove_if(order.begin(), order.end(), [&](Index i) { return !normals[i].isZero(0); }), order.end());
+  if (order.empty()) return;
+  const NeighbourSearch search(distinct);
+  parallel_for(order.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<Index> found;
+    std::vector<double> distances_sq;
+    for (std::size_t i = begin; i < end; ++i) {
+      search.nearest(distinct[order[i]], static_cast<std::size_t>(neighbours), found, distances_sq);
+      normals[order[i]] = plane_normal(distinct, found);
+    }
+  });
+}
+
+void check(const PcaOptions& options) {
+  if (options.neighbours < 3)
+    throw Error(ErrorCode::InvalidArgument,
+                "neighbours = " + std::to_string(options.neighbours) + ": a plane needs at least 3");
+  if (!(options.radius >= 0 && std::isfinite(options.radius)))
+    throw Error(ErrorCode::InvalidArgument, "radius of the normals = " + std::to_string(options.radius) +
+                                                ": give a positive length, or 0 for the nearest neighbours alone");
 }
 
 }  // namespace
@@ -62,9 +80,7 @@ std::vector<Index> find_duplicates(const std::vector<Vec3>& points) {
 }
 
 Normals pca_normals(const std::vector<Vec3>& points, const PcaOptions& options, const Execution& run) {
-  if (options.neighbours < 3)
-    throw Error(ErrorCode::InvalidArgument,
-                "neighbours = " + std::to_string(options.neighbours) + ": a plane needs at least 3");
+  check(options);
   const std::vector<Index> representative = find_duplicates(points);
   std::vector<Vec3> distinct;
   std::vector<Index> position(points.size(), kNoIndex);
@@ -73,17 +89,11 @@ Normals pca_normals(const std::vector<Vec3>& points, const PcaOptions& options, 
     position[i] = static_cast<Index>(distinct.size());
     distinct.push_back(points[i]);
   }
-  const NeighbourSearch search(distinct);
-  const std::vector<Index> order = spatial_order(distinct);
-  Normals of_distinct(distinct.size());
-  parallel_for(distinct.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    std::vector<Index> neighbours;
-    std::vector<double> distances_sq;
-    for (std::size_t i = begin; i < end; ++i) {
-      search.nearest(distinct[order[i]], static_cast<std::size_t>(options.neighbours), neighbours, distances_sq);
-      of_distinct[order[i]] = plane_normal(distinct, neighbours);
-    }
-  });
+  Normals of_distinct(distinct.size(), Vec3::Zero());
+  if (options.radius > 0)
+    of_distinct =
+        ball_planes(distinct, options.radius, static_cast<std::size_t>(options.neighbours), stage(run, 0.0, 0.9));
+  fit_nearest(distinct, options.neighbours, options.radius > 0 ? stage(run, 0.9, 1.0) : run, of_distinct);
   Normals normals(points.size(), Vec3::Zero());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (representative[i] != kNoIndex) normals[i] = of_distinct[position[representative[i]]];

@@ -2,7 +2,9 @@
 #include "kappa/surface/surface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "kappa/core/error.hpp"
 #include "kappa/search/cloud_normals.hpp"
@@ -43,10 +45,45 @@ void orient(const Scan& scan, const SurfaceChoice& choice, Surface& s) {
   if (s.orientation == Orientation::Consistent) s.agreement = orient_consistently(scan.points, s.u).agreement;
 }
 
+/// The ball of the planes that noise asks for, 0 for the nearest neighbours alone.
+double automatic_normal_radius(const CloudScale& scale, const std::optional<double>& measured_radius) {
+  const double least = kAutomaticRadius * scale.spacing;
+  const double balanced = balanced_radius(scale, least, kLargestRadius * scale.spacing);
+  if (!(balanced > least)) return 0;
+  return std::min(kNormalShare * balanced, measured_radius.value_or(balanced));
+}
+
+Normals fitted_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
+  PcaOptions planes;
+  planes.neighbours = options.normal_neighbours.value_or(planes.neighbours);
+  s.scale = measure_scale(scan.points, stage(run, 0.0, 0.2));
+  if (options.normal_radius) {
+    planes.radius = *options.normal_radius;
+  } else if (!options.normal_neighbours) {
+    planes.radius = automatic_normal_radius(s.scale, options.measured_radius);
+  }
+  s.normal_neighbours = planes.neighbours;
+  s.normal_radius = planes.radius;
+  return pca_normals(scan.points, planes, stage(run, 0.2, 1.0));
+}
+
 /// Normals of the points, where they do not come from faces.
-Normals point_normals(const Scan& scan, const SurfaceOptions& options, NormalsKind kind, const Execution& run) {
-  return kind == NormalsKind::Input ? normalised(scan.normals)
-                                    : pca_normals(scan.points, {options.normal_neighbours}, run);
+Normals point_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
+  return s.normals == NormalsKind::Input ? normalised(scan.normals) : fitted_normals(scan, options, s, run);
+}
+
+/// Compares the normals at the ends of every side of the faces.
+NormalAgreement agreement_on_faces(const Mesh& mesh, const Normals& u) {
+  NormalAgreement agreement;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto corners = mesh.faces[f];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec3 &a = u[corners[i]], &b = u[corners[(i + 1) % corners.size()]];
+      agreement.pairs += !a.isZero(0) && !b.isZero(0);
+      agreement.opposed += a.dot(b) < -0.5;
+    }
+  }
+  return agreement;
 }
 
 void take(CloudSurface cloud, Surface& s) {
@@ -92,14 +129,14 @@ void use_turned_faces(const Scan& scan, const SurfaceOptions& options, const Sur
   if (s.kind == SurfaceKind::Grid) make_grid(scan, options, *choice.viewpoint, s, first);
   if (s.kind == SurfaceKind::Spinning) make_spinning(scan, options, *choice.viewpoint, s, first);
   s.u = from_faces(s.normals) ? vertex_normals(s.mesh, weights_of(s.normals), second)
-                              : point_normals(scan, options, s.normals, second);
+                              : point_normals(scan, options, s, second);
   orient(scan, choice, s);
 }
 
 /// Stars in the tangent planes; normals from faces then take the place of those that the planes were made of.
 void use_umbrella(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
                   const Execution& run) {
-  s.u = point_normals(scan, options, s.normals, stage(run, 0.0, 0.5));
+  s.u = point_normals(scan, options, s, stage(run, 0.0, 0.5));
   orient(scan, choice, s);
   const int neighbours = options.neighbours.value_or(UmbrellaOptions{}.neighbours);
   take(umbrella_surface(scan.origin, scan.points, s.u, {neighbours}, stage(run, 0.5, 1.0)), s);
@@ -109,7 +146,7 @@ void use_umbrella(const Scan& scan, const SurfaceOptions& options, const Surface
 /// No faces: the triangles are made when the curvatures are.
 void use_points(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
                 const Execution& run) {
-  s.u = point_normals(scan, options, s.normals, run);
+  s.u = point_normals(scan, options, s, run);
   orient(scan, choice, s);
   s.mesh.origin = scan.origin;
   s.mesh.vertices = scan.points;
@@ -155,16 +192,52 @@ Surface make_surface(const Scan& scan, const SurfaceOptions& options, const Exec
     throw Error(ErrorCode::InvalidData, "no face can be made of the " + std::to_string(scan.points.size()) +
                                             " points: they are too few, or they lie on a line");
   s.u = average_normals(s.mesh, s.u, options.averaging_passes);
+  s.averaging_passes = options.averaging_passes;
   if (options.averaging_passes > 0 || from_faces(s.normals)) copy_to_twins(s);
   count_points(scan, s);
   s.spacing = alone ? median_spacing(scan.points) : median_edge_length(s.mesh);
   if (!scan.is_mesh() && s.agreement.pairs == 0)
-    s.agreement = normal_agreement(scan.points, s.u, {}, stage(run, 0.9, 1.0));
+    s.agreement =
+        alone ? normal_agreement(scan.points, s.u, {}, stage(run, 0.9, 1.0)) : agreement_on_faces(s.mesh, s.u);
   return s;
 }
 
+namespace {
+
+/// Radius of the disc over which the normals are averages: that of the planes, and of the passes over the edges, each
+/// of which adds about half a spacing squared to the second moment along an axis, a sixth of the radius squared.
+double effective_normal_radius(const Surface& s) {
+  const double of_neighbours = std::sqrt(s.normal_neighbours / kPi) * s.scale.spacing;
+  const double of_planes = std::max(s.normal_radius, of_neighbours);
+  return std::sqrt(of_planes * of_planes + 3 * s.averaging_passes * s.scale.spacing * s.scale.spacing);
+}
+
+double radius_for_noise(const Surface& s) {
+  const double least = kAutomaticRadius * s.spacing;
+  if (!(s.scale.noise >= 0)) return least;
+  return balanced_radius(s.scale, effective_normal_radius(s), least, kLargestRadius * s.spacing);
+}
+
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+}  // namespace
+
+std::string automatic_radius_reason(const Surface& s) {
+  const std::string edges = "5 median edges of " + short_number(s.spacing);
+  if (!(s.scale.noise >= 0)) return edges;
+  if (!(radius_for_noise(s) > kAutomaticRadius * s.spacing))
+    return edges + ", noise " + short_number(s.scale.noise) + " asks for no more";
+  return "more than " + edges + ", for noise " + short_number(s.scale.noise) + ": error of mean curvature about " +
+         short_number(std::hypot(curvature_noise(s.scale, radius_for_noise(s), effective_normal_radius(s)),
+                                 curvature_bias(s.scale, radius_for_noise(s), effective_normal_radius(s))));
+}
+
 double automatic_radius(const Surface& surface) {
-  const double radius = kAutomaticRadius * surface.spacing;
+  const double radius = radius_for_noise(surface);
   if (!(radius > 0 && std::isfinite(radius))) return kNaN;
   const double unit = std::pow(10.0, std::floor(std::log10(radius)) - 1);
   // Division by a power of ten gives the double nearest to the decimal, multiplication might not.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include <Eigen/Eigenvalues>
+
 #include "kappa/core/error.hpp"
 
 namespace kappa {
@@ -58,6 +60,45 @@ TEST(PcaNormals, DoNotDependOnThreads) {
   Execution one, three;
   three.threads = 3;
   EXPECT_EQ(pca_normals(points, {10}, one), pca_normals(points, {10}, three));
+}
+
+/// The plane of the points in a ball, from all of them.
+Vec3 ball_normal(const std::vector<Vec3>& points, const Vec3& centre, double radius, std::size_t& count) {
+  std::vector<Vec3> in;
+  for (const Vec3& x : points) {
+    if ((x - centre).squaredNorm() <= radius * radius) in.push_back(x);
+  }
+  count = in.size();
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& x : in) mean += x / static_cast<double>(in.size());
+  Mat3 covariance = Mat3::Zero();
+  for (const Vec3& x : in) covariance += (x - mean) * (x - mean).transpose();
+  return Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors().col(0);
+}
+
+TEST(PcaNormals, WithinARadiusAreThoseOfAllItsPoints) {
+  std::mt19937_64 random(9);
+  std::normal_distribution<double> place;
+  std::vector<Vec3> points;
+  for (int i = 0; i < 1500; ++i) {
+    const double x = 20 * place(random), y = 20 * place(random);
+    points.emplace_back(x - 300, y + 200, 0.02 * x * y + 0.1 * place(random));
+  }
+  const double radius = 6;
+  const Normals wide = pca_normals(points, {24, radius}), near = pca_normals(points, {24});
+  std::size_t many = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::size_t count = 0;
+    const Vec3 expected = ball_normal(points, points[i], radius, count);
+    many += count >= 24;
+    EXPECT_NEAR(std::abs(wide[i].dot(count >= 24 ? expected : near[i])), 1, 1e-12) << i;
+  }
+  EXPECT_GT(many, 200u);
+  EXPECT_LT(many, points.size() - 200);
+  Execution three;
+  three.threads = 3;
+  EXPECT_EQ(pca_normals(points, {24, radius}, three), wide);
+  EXPECT_THROW(pca_normals(points, {24, -1}), Error);
 }
 
 TEST(Orientation, TurnsNormalsToTheSideAsked) {

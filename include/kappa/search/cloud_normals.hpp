@@ -13,11 +13,14 @@ std::vector<Index> find_duplicates(const std::vector<Vec3>& points);
 
 struct PcaOptions {
   int neighbours = 24;  ///< points of different position a plane is fitted to, the point included; at least 3
+  /// If positive: all points within this radius, where they are at least `neighbours`; the more, the less noise.
+  double radius = 0;
 };
 
 /// Unit normals of the planes of least squares through the nearest neighbours, sign arbitrary. The zero
 /// vector where the point is not finite or its neighbours are collinear or fewer than three.
-/// Exact duplicates count once.
+/// Exact duplicates count once. Of more than 8192 points within the radius (and a little farther) every m-th is taken.
+/// @throws Error InvalidArgument if there are fewer than 3 neighbours, or the radius is negative or not finite.
 Normals pca_normals(const std::vector<Vec3>& points, const PcaOptions& options, const Execution& run = {});
 
 /// Turns each normal so that it points to the side of `viewpoint`.

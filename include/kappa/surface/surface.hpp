@@ -6,6 +6,7 @@
 
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
+#include "kappa/surface/cloud_scale.hpp"
 #include "kappa/surface/delaunay.hpp"
 #include "kappa/surface/grid.hpp"
 #include "kappa/surface/orientation.hpp"
@@ -70,8 +71,12 @@ struct SurfaceOptions {
   GridOptions grid;               ///< cuts of Grid
   GridOptions spinning = kSpinningCuts;
   DelaunayOptions delaunay;
-  int normal_neighbours = 24;  ///< of the fitted planes, the point included
-  int averaging_passes = 0;    ///< see average_normals
+  /// Of the fitted planes, the point included. Unless it or the radius is given, 24, and all points within
+  /// `kNormalShare` of the radius that noise asks for (balanced_radius) where that is larger than five spacings.
+  std::optional<int> normal_neighbours;
+  std::optional<double> normal_radius;    ///< of the fitted planes; where it holds too few points, the neighbours
+  std::optional<double> measured_radius;  ///< smallest radius of a ball, if known: planes are not made larger for noise
+  int averaging_passes = 0;               ///< see average_normals
 };
 
 /// A scan made ready to be measured.
@@ -89,7 +94,11 @@ struct Surface {
   std::size_t duplicate_points = 0, starless_points = 0;  ///< see CloudSurface
   std::size_t cut_faces = 0;  ///< of Grid, Spinning and Delaunay: beyond a gap or a depth edge, or grazing
   std::size_t at_sensor = 0;  ///< see SpinningSweep
-  NormalAgreement agreement;  ///< of the normals of a cloud; no pair if it was not looked at
+  NormalAgreement agreement;  ///< of the normals of a cloud, over the sides of its faces if it has any
+  CloudScale scale;           ///< of the points that planes were fitted to; NaN otherwise
+  int normal_neighbours = 0;  ///< of those planes
+  double normal_radius = 0;   ///< likewise, 0 for the nearest neighbours alone
+  int averaging_passes = 0;   ///< over the normals
   double spacing = kNaN;      ///< median length of the edges of the faces; without faces that to the nearest point
 };
 
@@ -98,10 +107,15 @@ struct Surface {
 /// (faces, normals, a viewpoint); InvalidData if no point or no face is left.
 Surface make_surface(const Scan& scan, const SurfaceOptions& options, const Execution& run = {});
 
-/// Radius of the measuring ball where the user gives none: kAutomaticRadius times the spacing, rounded to two
-/// digits. NaN if the spacing is not known.
-inline constexpr double kAutomaticRadius = 5;
+/// Radius of the measuring ball where the user gives none, rounded to two digits: kAutomaticRadius times the spacing;
+/// where planes were fitted to noisy points, the radius at which the noise of the mean curvature equals its bias if
+/// that is larger (balanced_radius), at most kLargestRadius times the spacing. A smaller ball would be noise, a larger
+/// one would blur more than it calms. NaN if the spacing is not known.
+inline constexpr double kAutomaticRadius = 5, kLargestRadius = 30;
 double automatic_radius(const Surface& surface);
+
+/// Why that radius, in a few words: "5 median edges of 0.2, noise 1e-05 asks for no more".
+std::string automatic_radius_reason(const Surface& surface);
 
 /// Names as on the command line: "faces", "umbrella"; "input", "geometric" ...; "up", "viewpoint" ...
 const char* name(SurfaceKind kind);

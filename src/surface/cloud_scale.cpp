@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/surface/cloud_scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "kappa/mesh/statistics.hpp"
+#include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/neighbours.hpp"
+
+namespace kappa {
+namespace {
+
+constexpr std::size_t kSample = 1000, kBlock = 8;
+constexpr std::size_t kFew = 12, kMany = 32;
+constexpr int kRadii = 6;
+constexpr double kSmallest = 5;  // spacings
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+/// Axes around a point: two in the plane fitted to its neighbours, and its normal.
+using Frame = Mat3;
+
+Frame fit_frame(const std::vector<Vec3>& x, const std::vector<Index>& near) {
+  Vec3 mean = Vec3::Zero();
+  for (const Index i : near) mean += (x[i] - x[near[0]]) / static_cast<double>(near.size());
+  Mat3 covariance = Mat3::Zero();
+  for (const Index i : near) {
+    const Vec3 d = x[i] - x[near[0]] - mean;
+    covariance += d * d.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance);
+  Frame frame;
+  frame.col(0) = solver.eigenvectors().col(2);
+  frame.col(1) = solver.eigenvectors().col(1);
+  frame.col(2) = solver.eigenvectors().col(0);
+  return frame;
+}
+
+/// Least squares of a quadric over the plane of a frame, point by point, in units of `unit`.
+class QuadricFit {
+ public:
+  QuadricFit(const Frame& frame, double unit) : frame_(frame), unit_(unit) {}
+
+  void add(const Vec3& d) {
+    const Vec3 q = frame_.transpose() * d / unit_;
+    Vec6 a;
+    a << 1, q.x(), q.y(), 0.5 * q.x() * q.x(), q.x() * q.y(), 0.5 * q.y() * q.y();
+    normal_ += a * a.transpose();
+    right_ += a * q.z();
+    square_ += q.z() * q.z();
+    ++count_;
+  }
+
+  /// Variance of the residuals, a length squared.
+  double variance() const {
+    if (count_ <= 6) return kNaN;
+    const Vec6 c = Eigen::LDLT<Mat6>(normal_).solve(right_);
+    return std::max(0.0, square_ - c.dot(right_)) / static_cast<double>(count_ - 6) * unit_ * unit_;
+  }
+
+  /// Mean curvature over the place of the frame, and its variance for noise of variance 1.
+  std::pair<double, double> mean_curvature() const {
+    const Eigen::LDLT<Mat6> solver(normal_);
+    const Vec6 c = solver.solve(right_);
+    const double p = c[1], q = c[2], w = 1 + p * p + q * q;
+    Vec6 by = Vec6::Zero();  // the curvature is linear in the second derivatives
+    by[3] = (1 + q * q) / (2 * w * std::sqrt(w));
+    by[4] = -2 * p * q / (2 * w * std::sqrt(w));
+    by[5] = (1 + p * p) / (2 * w * std::sqrt(w));
+    return {by.dot(c) / unit_, by.dot(solver.solve(by)) / std::pow(unit_, 4)};
+  }
+
+ private:
+  Frame frame_;
+  double unit_;
+  Mat6 normal_ = Mat6::Zero();
+  Vec6 right_ = Vec6::Zero();
+  double square_ = 0;
+  std::size_t count_ = 0;
+};
+
+std::vector<Vec3> distinct_positions(const std::vector<Vec3>& points) {
+  const std::vector<Index> representative = find_duplicates(points);
+  std::vector<Vec3> x;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (representative[i] == i) x.push_back(points[i]);
+  }
+  return x;
+}
+
+/// What one place of the sample says about spacing and noise.
+struct Place {
+  double area = kNaN;  ///< per point
+  double few = kNaN, many = kNaN;
+};
+
+Place measure_place(const std::vector<Vec3>& x, const NeighbourSearch& search, Index at) {
+  std::vector<Index> near;
+  std::vector<double> distances_sq;
+  search.nearest(x[at], kMany, near, distances_sq);
+  Place place;
+  place.area = kPi * distances_sq.back() / static_cast<double>(kMany - 1);
+  QuadricFit fit(fit_frame(x, near), std::sqrt(distances_sq.back()));
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    fit.add(x[near[i]] - x[at]);
+    if (i + 1 == kFew) place.few = fit.variance();
+  }
+  place.many = fit.variance();
+  return place;
+}
+
+double median(const std::vector<Place>& places, double Place::*value) {
+  std::vector<double> values;
+  for (const Place& p : places) {
+    if (std::isfinite(p.*value)) values.push_back(p.*value);
+  }
+  return percentile(values, 50);
+}
+
+/// Median of a variance with `freedom` degrees of freedom over its mean (Wilson and Hilferty).
+double median_share(double freedom) {
+  return std::pow(1 - 2 / (9 * freedom), 3);
+}
+
+double noise_of(const std::vector<Place>& places) {
+  const double few = median(places, &Place::few) / median_share(kFew - 6.0);
+  const double many = median(places, &Place::many) / median_share(kMany - 6.0);
+  const double growth = std::pow(static_cast<double>(kMany) / kFew, 3);  // (ratio of the radii)^6
+  return std::sqrt(std::max(0.0, (growth * few - many) / (growth - 1)));
+}
+
+/// Mean curvatures of quadrics in growing balls, with their variances for noise of variance 1.
+using Curvatures6 = std::array<std::pair<double, double>, kRadii>;
+
+double radius_of(int step, double spacing) {
+  return kSmallest * spacing * std::pow(2.0, 0.5 * step);
+}
+
+Curvatures6 measure_curvatures(const std::vector<Vec3>& x, const NeighbourSearch& search, Index at, double spacing) {
+  std::vector<Index> near;
+  std::vector<double> distances_sq;
+  search.nearest(x[at], kMany, near, distances_sq);
+  QuadricFit fit(fit_frame(x, near), radius_of(kRadii - 1, spacing));
+  search.within(x[at], radius_of(kRadii - 1, spacing), near, distances_sq);
+  Curvatures6 result;
+  for (int step = 0; step < kRadii; ++step) {
+    const double outer = radius_of(step, spacing), inner = step == 0 ? -1 : radius_of(step - 1, spacing);
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      if (distances_sq[i] <= outer * outer && (step == 0 || distances_sq[i] > inner * inner))
+        fit.add(x[near[i]] - x[at]);
+    }
+    result[static_cast<std::size_t>(step)] = fit.mean_curvature();
+  }
+  return result;
+}
+
+/// Mean square of the bias between two radii, if it can be told from the noise.
+double certain_bias_sq(const std::vector<Curvatures6>& sample, std::size_t step, double noise) {
+  double sum = 0, sum_sq = 0, count = 0;
+  for (const Curvatures6& c : sample) {
+    const auto [from, from_variance] = c[step];
+    const auto [to, to_variance] = c[step + 1];
+    // The larger fit is the best linear one of its points, so the variance of the difference is that of the variances.
+    const double excess = (from - to) * (from - to) - noise * noise * (from_variance - to_variance);
+    if (!std::isfinite(excess)) continue;
+    sum += excess;
+    sum_sq += excess * excess;
+    ++count;
+  }
+  if (count < 2) return 0;
+  const double mean = sum / count, error = std::sqrt(std::max(0.0, sum_sq / count - mean * mean) / count);
+  return mean > 3 * error ? mean : 0;
+}
+
+double variation_of(const std::vector<Curvatures6>& sample, double spacing, double noise) {
+  for (int step = 0; step + 1 < kRadii; ++step) {
+    const double bias_sq = certain_bias_sq(sample, static_cast<std::size_t>(step), noise);
+    // A quadric fitted in a disc of radius r has the bias r^2 / 16 times the Laplacian of the mean curvature.
+    const double radius = radius_of(step, spacing);
+    if (bias_sq > 0) return 16 * std::sqrt(bias_sq) / (radius * radius);
+  }
+  return 0;
+}
+
+}  // namespace
+
+CloudScale measure_scale(const std::vector<Vec3>& points, const Execution& run) {
+  const std::vector<Vec3> x = distinct_positions(points);
+  CloudScale scale;
+  if (x.size() < kMany) return scale;
+  const NeighbourSearch search(x);
+  const std::size_t count = std::min(kSample, x.size());
+  const auto sampled = [&](std::size_t i) { return static_cast<Index>(i * x.size() / count); };
+  std::vector<Place> places(count);
+  parallel_for(count, kBlock, stage(run, 0.5, 0.6), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) places[i] = measure_place(x, search, sampled(i));
+  });
+  scale.spacing = std::sqrt(median(places, &Place::area));
+  scale.noise = noise_of(places);
+  std::vector<Curvatures6> curvatures(count);
+  parallel_for(count, kBlock, stage(run, 0.6, 1.0), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) curvatures[i] = measure_curvatures(x, search, sampled(i), scale.spacing);
+  });
+  scale.variation = variation_of(curvatures, scale.spacing, scale.noise);
+  return scale;
+}
+
+double curvature_noise(const CloudScale& scale, double radius, double normal_radius) {
+  return 0.55 * scale.noise * scale.spacing / std::pow(radius * normal_radius, 1.5);
+}
+
+double curvature_bias(const CloudScale& scale, double radius, double normal_radius) {
+  return scale.variation * (radius * radius / 8 + normal_radius * normal_radius / 12);
+}
+
+namespace {
+
+/// Where `excess`, which falls with the radius, changes its sign.
+template <class Excess>
+double crossing(double from, double to, const Excess& excess) {
+  if (!(from < to) || !(excess(from) > 0)) return from;
+  if (excess(to) > 0) return to;
+  constexpr int kHalvings = 50;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (from + to);
+    (excess(middle) > 0 ? from : to) = middle;
+  }
+  return from;
+}
+
+}  // namespace
+
+double balanced_radius(const CloudScale& scale, double normal_radius, double from, double to) {
+  return crossing(from, to, [&](double radius) {
+    return curvature_noise(scale, radius, normal_radius) - curvature_bias(scale, radius, normal_radius);
+  });
+}
+
+double balanced_radius(const CloudScale& scale, double from, double to) {
+  return crossing(from, to, [&](double radius) {
+    return curvature_noise(scale, radius, kNormalShare * radius) - curvature_bias(scale, radius, kNormalShare * radius);
+  });
+}
+
+}  // namespace kappa
