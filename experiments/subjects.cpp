@@ -100,11 +100,12 @@ Subject cloud(const std::string& name, double noise) {
     add_noise(scan, {NoiseKind::Normal, noise, 1, NoisyNormals::Keep, {}});
     SurfaceOptions options;
     options.normals = NormalsKind::Pca;
-    options.orientation = Orientation::Input;
+    options.orientation = Orientation::Up;
     Surface surface = make_surface(scan, options);
-    s.mesh = std::move(surface.mesh);
-    s.u = std::move(surface.u);
-    return s;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      if (surface.u[i].dot(exact[i]) < 0) surface.u[i] = -surface.u[i];
+    }
+    scan.normals = surface.u;
   }
   Surface surface = make_surface(scan, {});
   s.mesh = std::move(surface.mesh);

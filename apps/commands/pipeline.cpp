@@ -7,6 +7,7 @@
 #include "kappa/io/las.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/mesh/refine.hpp"
 #include "kappa/search/flann_ball_sum.hpp"
 
 namespace kappa::app {
@@ -55,10 +56,12 @@ std::vector<CurvatureField> measure_points(const SurfaceResult& result, Triangle
 
 void check_fields(const std::string& input, const std::vector<CurvatureField>& fields) {
   for (const CurvatureField& field : fields) {
-    if (summarise(field).valid == 0)
-      throw Error(ErrorCode::InvalidData, input + ": no point has a curvature at radius " +
-                                              radius_suffix(field.radius).substr(2) +
-                                              "; give a larger radius, or other normals");
+    if (summarise(field).valid > 0) continue;
+    if (field.own_scales())
+      throw Error(ErrorCode::InvalidData, input + ": no point has a curvature at any radius; give other normals");
+    throw Error(ErrorCode::InvalidData, input + ": no point has a curvature at radius " +
+                                            radius_suffix(field.radius).substr(2) +
+                                            "; give a larger radius, or other normals");
   }
 }
 
@@ -108,7 +111,9 @@ Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
   static_cast<SurfaceResult&>(m) = read_and_make_surface(command, stages);
   m.scan.fields = {};  // not written with the curvatures, and large
   m.balls = stages.run("measures", [&](const Execution& run) {
-    return make_engine(measure_triangles(m.surface.mesh, m.surface.u, arguments.measure.quads, run), arguments.measure);
+    const MeasureArguments& how = arguments.measure;
+    if (how.refine > 0) return make_engine(measure_refined(m.surface.mesh, m.surface.u, how.refine, run), how);
+    return make_engine(measure_triangles(m.surface.mesh, m.surface.u, how.quads, run), how);
   });
   m.has_faces = true;
   m.dropped_faces = m.balls->triangles().dropped_faces;
@@ -116,6 +121,7 @@ Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
 }
 
 std::vector<double> choose_radii(const CurvatureArguments& arguments, Measured& measured) {
+  if (arguments.measure.own_scales()) return {};
   std::vector<double> radii = parse_radii(arguments.measure.radii);
   measured.automatic = radii.empty();
   if (measured.automatic) radii = {automatic_radius(measured.surface)};
@@ -132,27 +138,36 @@ std::vector<double> choose_radii(const CurvatureArguments& arguments, Measured& 
 
 std::vector<CurvatureField> measure(const Measured& measured, const MeasureArguments& arguments,
                                     const std::vector<double>& radii, const Execution& run) {
-  const Surface& s = measured.surface;
-  std::vector<double> positive;
-  std::copy_if(radii.begin(), radii.end(), std::back_inserter(positive), [](double r) { return r > 0; });
-  std::vector<CurvatureField> of_balls =
-      estimate_curvatures(*measured.balls, s.mesh.vertices, s.u, positive, arguments.ball, run);
-  std::vector<CurvatureField> fields;
-  auto next = of_balls.begin();
-  for (const double radius : radii)
-    fields.push_back(radius > 0 ? std::move(*next++)
-                                : estimate_at_vertices(measured.balls->triangles(), s.u, arguments.limit, run));
+  CurvatureOptions options;
+  options.scale = arguments.own_scales() ? ScaleChoice::PerPoint : ScaleChoice::Given;
+  options.radii = radii;
+  options.order = arguments.order.value_or(1);
+  options.ball = arguments.ball;
+  options.vertex_limit = arguments.limit;
+  std::vector<CurvatureField> fields = estimate_curvatures(*measured.balls, measured.surface.u, options, run);
   turn_directions(measured.filtered.heights, fields);
   return fields;
 }
 
+namespace {
+
+/// The first option given that has no meaning where each point is measured alone, or null.
+const char* meaningless_for_points(const MeasureArguments& arguments) {
+  if (!arguments.radii.empty()) return "--radius";
+  if (arguments.order) return "--order";
+  return arguments.refine > 0 ? "--refine" : nullptr;
+}
+
+}  // namespace
+
 Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
-  parse_radii(arguments.measure.radii);  // a wrong use is told before any work
+  check_measure(arguments.measure);
   Measured m;
   if (const auto scheme = triangle_scheme(arguments.surface.surface.surface)) {
-    if (!arguments.measure.radii.empty())
-      throw CLI::ValidationError("--radius", std::string("has no meaning for ") + name(*scheme) +
-                                                 ", which measures triangles of each point alone; leave it out");
+    const char* const option = meaningless_for_points(arguments.measure);
+    if (option)
+      throw CLI::ValidationError(option, std::string("has no meaning for ") + name(*scheme) +
+                                             ", which measures triangles of each point alone; leave it out");
     static_cast<SurfaceResult&>(m) = read_and_make_surface(arguments, stages);
     const SurfaceOptions options = surface_options(arguments.surface);
     m.fields = stages.run("curvatures", [&](const Execution& run) { return measure_points(m, *scheme, options, run); });

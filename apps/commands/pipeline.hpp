@@ -53,7 +53,7 @@ struct Measured : SurfaceResult {
 /// Reads and makes the surface; the balls are ready to be summed.
 Measured prepare(const CurvatureArguments& arguments, Stages& stages);
 
-/// Radii asked for, or the automatic one.
+/// Radii asked for, or the automatic one; empty if each point is to have its own.
 /// @throws Error InvalidArgument for radius 0 on a cloud, InvalidData if no radius can be chosen.
 std::vector<double> choose_radii(const CurvatureArguments& arguments, Measured& measured);
 

@@ -56,7 +56,7 @@ SegmentSummary segment(const SegmentArguments& arguments, const Measured& m, con
   SegmentSummary s;
   s.estimated = !arguments.flatness && !arguments.kappa_max;
   s.threshold = choose_threshold(arguments, m, field, run);
-  const double half = 0.5 * field.radius;  // a ball tells apart what is as large as its inner half
+  const double half = 0.5 * typical_radius(field);  // a ball tells apart what is as large as its inner half
   const RegionOptions options{arguments.min_region.value_or(kPi * half * half)};
   s.segmentation = find_regions(m.surface.mesh, field, classify(field, s.threshold), options, m.surface.twins);
   for (Region& region : s.segmentation.table) region.centroid = m.filtered.heights.point_of_file(region.centroid);

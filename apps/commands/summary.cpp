@@ -2,9 +2,12 @@
 #include "summary.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "json.hpp"
+#include "kappa/mesh/refine.hpp"
+#include "kappa/mesh/statistics.hpp"
 
 namespace kappa::app {
 namespace {
@@ -64,9 +67,38 @@ void warn_of_disagreement(const NormalAgreement& agreement) {
       100 * agreement.opposed_share());
 }
 
+template <class Value>
+FieldSummary::Percentiles percentiles_of_valid(const CurvatureField& field, Value value) {
+  std::vector<double> values;
+  for (const CurvatureSample& s : field.samples) {
+    if (s.k.status == PointStatus::Valid && !std::isnan(value(s))) values.push_back(value(s));
+  }
+  return {percentile(values, 1), percentile(values, 50), percentile(values, 99)};
+}
+
+FieldSummary::Percentiles errors_of(const CurvatureField& field) {
+  return percentiles_of_valid(field, [](const CurvatureSample& s) { return s.std_error; });
+}
+
+void print_own_scales(const CurvatureField& field) {
+  const auto radii = percentiles_of_valid(field, [](const CurvatureSample& s) { return s.radius; });
+  std::printf("radius      chosen for every point: median %s, 98 %% of them %s to %s\n",
+              short_number(radii.p50).c_str(), short_number(radii.p1).c_str(), short_number(radii.p99).c_str());
+}
+
+void warn_of_rough_normals(const Measured& m, int refinements) {
+  if (refinements == 0 || !(normal_roughness(m.surface.mesh, m.surface.u) > kRoughNormals)) return;
+  std::printf(
+      "warning     the normals are not those of a smooth surface through the points, so --refine followed their noise; "
+      "leave it out\n");
+}
+
 void print_field(const Measured& m, const CurvatureField& field) {
   const FieldSummary s = summarise(field);
-  if (m.has_faces) {
+  if (field.own_scales()) {
+    print_own_scales(field);
+    std::printf("curvatures  %zu valid", s.valid);
+  } else if (m.has_faces) {
     const std::string why = m.automatic ? " (automatic: " + automatic_radius_reason(m.surface) + ")" : "";
     std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(), why.c_str(), s.valid);
   } else {
@@ -79,6 +111,10 @@ void print_field(const Measured& m, const CurvatureField& field) {
   for (const NamedPercentiles& n : percentiles_of(s))
     std::printf("  %-20s %12s %12s %12s\n", n.name, short_number(n.p.p1).c_str(), short_number(n.p.p50).c_str(),
                 short_number(n.p.p99).c_str());
+  if (field.order == 1) return;
+  const auto errors = errors_of(field);
+  std::printf("  %-20s %12s %12s %12s\n", "std_error", short_number(errors.p1).c_str(),
+              short_number(errors.p50).c_str(), short_number(errors.p99).c_str());
 }
 
 void print_segments(const SegmentSummary& s) {
@@ -99,6 +135,7 @@ void print_text(const CurvatureArguments& arguments, const Measured& m, const st
                 const std::vector<Stages::Timed>& timed) {
   print_points(m);
   warn_of_disagreement(m.surface.agreement);
+  warn_of_rough_normals(m, arguments.measure.refine);
   for (std::size_t r = 0; r < m.fields.size(); ++r) {
     print_field(m, m.fields[r]);
     if (r < segments.size()) print_segments(segments[r]);
@@ -130,6 +167,9 @@ Json field_json(const CurvatureField& field) {
   const FieldSummary s = summarise(field);
   return Json()
       .add("radius", field.radius)
+      .add("typical_radius", typical_radius(field))
+      .add("order", static_cast<std::size_t>(field.order))
+      .add("median_std_error", errors_of(field).p50)
       .add("valid", s.valid)
       .add("empty", s.empty)
       .add("degenerate", s.degenerate)

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface_options.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "kappa/mesh/orders.hpp"
+#include "kappa/mesh/refine.hpp"
 
 namespace kappa::app {
 namespace {
@@ -129,9 +133,22 @@ SurfaceOptions surface_options(const SurfaceArguments& arguments) {
 }
 
 void declare(CLI::App& command, MeasureArguments& options) {
-  command.add_option("--radius", options.radii, "Radius of the ball in input units, several by commas, or auto")
+  command
+      .add_option("--radius", options.radii,
+                  "Radius of the ball in input units, several by commas, auto, or auto-per-point: radius "
+                  "and order are chosen from the data for every point")
       ->delimiter(',')
       ->option_text("R[,R...]=auto");
+  command
+      .add_option("--order", options.order,
+                  "Order of the bias that smaller balls cancel: 1 none, 2 and 3 for smooth surfaces and wide balls")
+      ->check(CLI::Range(1, kMaxOrder))
+      ->option_text("N=1");
+  command
+      .add_option("--refine", options.refine,
+                  "Split every face in four N times on a curved patch before it is measured; for exact normals alone")
+      ->check(CLI::Range(0, kMostRefinements))
+      ->capture_default_str();
   command.add_option("--ball", options.ball, "Cut faces by exact density or by area fraction: exact, fraction")
       ->transform(
           one_of<BallDefinition>({{"exact", BallDefinition::ExactDensity}, {"fraction", BallDefinition::AreaFraction}}))
@@ -151,13 +168,25 @@ void declare(CLI::App& command, MeasureArguments& options) {
 }
 
 std::vector<double> parse_radii(const std::vector<std::string>& radii) {
-  if (radii.empty() || (radii.size() == 1 && radii.front() == "auto")) return {};
+  if (radii.empty()) return {};
+  if (radii.size() == 1 && (radii.front() == "auto" || radii.front() == kAutoPerPoint)) return {};
   std::vector<double> values;
   for (const std::string& text : radii) {
     values.push_back(parse_number("--radius", text));
     if (values.back() < 0) throw CLI::ValidationError("--radius", "'" + text + "' is negative");
   }
   return values;
+}
+
+void check_measure(const MeasureArguments& arguments) {
+  const std::vector<double> radii = parse_radii(arguments.radii);
+  if (arguments.refine > 0 && arguments.quads == QuadMeasures::Bilinear)
+    throw CLI::ValidationError("--refine", "splits triangles; leave --quads bilinear out");
+  if (!arguments.order) return;
+  if (arguments.own_scales())
+    throw CLI::ValidationError("--order", "is chosen for every point with --radius auto-per-point; leave it out");
+  if (*arguments.order > 1 && std::find(radii.begin(), radii.end(), 0.0) != radii.end())
+    throw CLI::ValidationError("--order", "needs balls: above 1 it has no meaning at radius 0");
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text, std::size_t count) {

@@ -35,6 +35,9 @@ void declare(CLI::App& command, SurfaceArguments& options);
 /// @throws CLI::ValidationError on a malformed viewpoint.
 SurfaceOptions surface_options(const SurfaceArguments& arguments);
 
+/// What --radius takes besides numbers and auto.
+inline constexpr const char* kAutoPerPoint = "auto-per-point";
+
 /// Options of the measures.
 struct MeasureArguments {
   std::vector<std::string> radii;
@@ -43,12 +46,20 @@ struct MeasureArguments {
   VertexLimit limit = VertexLimit::Star;
   std::string engine = "tree";
   Precision precision = Precision::Double;
+  std::optional<int> order;  ///< of the bias that is cancelled; 1 if not given
+  int refine = 0;            ///< see measure_refined
+
+  bool own_scales() const { return radii.size() == 1 && radii.front() == kAutoPerPoint; }
 };
 void declare(CLI::App& command, MeasureArguments& options);
 
-/// Radii in units of the data; empty for automatic.
-/// @throws CLI::ValidationError on anything but numbers >= 0 or the one word auto.
+/// Radii in units of the data; empty for automatic ones.
+/// @throws CLI::ValidationError on anything but numbers >= 0, or one of the words auto and auto-per-point alone.
 std::vector<double> parse_radii(const std::vector<std::string>& radii);
+
+/// Tells of options that do not go together before any work is done.
+/// @throws CLI::ValidationError.
+void check_measure(const MeasureArguments& arguments);
 
 /// `count` numbers separated by commas. @throws CLI::ValidationError.
 std::vector<double> parse_numbers(const std::string& option, const std::string& text, std::size_t count);

@@ -83,6 +83,11 @@ ViewerOptions viewer_options(const ViewArguments& arguments, const Measured& m, 
 void run_view(const ViewArguments& arguments) {
   const CurvatureArguments& common = arguments.curvature;
   need_faces(common.surface, "view");
+  check_measure(common.measure);
+  if (common.measure.own_scales())
+    throw CLI::ValidationError("--radius",
+                               "auto-per-point leaves the slider nothing to choose; view the result of "
+                               "'kappa curvature' instead, or give a radius");
   Stages stages(common.run.threads, common.run.seed, common.run.quiet);
   Measured m = prepare(common, stages);
   double radius = choose_radii(common, m).front();

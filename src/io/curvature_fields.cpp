@@ -46,11 +46,23 @@ Field field_of(const char* name, Field::Type type, const std::vector<T>& values)
   return field;
 }
 
+constexpr Entry kError = {"std_error", kReal, [](const CurvatureSample& s) { return s.std_error; }};
+constexpr Entry kScale[] = {
+    {"radius", kReal, [](const CurvatureSample& s) { return s.radius; }},
+    {"order", Field::Type::UInt8, [](const CurvatureSample& s) { return static_cast<double>(s.order); }}};
+
+std::vector<Entry> entries_of(const CurvatureField& field) {
+  std::vector<Entry> entries(std::begin(kEntries), std::end(kEntries));
+  if (field.order != 1) entries.push_back(kError);
+  if (field.own_scales()) entries.insert(entries.end(), std::begin(kScale), std::end(kScale));
+  return entries;
+}
+
 }  // namespace
 
 std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix) {
   std::vector<Field> fields;
-  for (const Entry& entry : kEntries) {
+  for (const Entry& entry : entries_of(field)) {
     Field column;
     column.name = entry.name + suffix;
     column.type = entry.type;

@@ -48,6 +48,13 @@ std::uint64_t morton_code(const Vec3& p, const Bounds& b) {
 
 }  // namespace
 
+std::vector<Index> parts_of_faces(const MeasuredTriangles& triangles) {
+  const auto last = std::max_element(triangles.faces.begin(), triangles.faces.end());
+  std::vector<Index> parts(last == triangles.faces.end() ? 0 : *last + std::size_t{1});
+  for (const Index face : triangles.faces) ++parts[face];
+  return parts;
+}
+
 bool add_triangle_in_ball(const MeasuredTriangles& triangles, std::size_t t, const Vec3& centre, double radius,
                           BallDefinition ball, BallMeasures& to) {
   const auto& c = triangles.corners[t];

@@ -10,6 +10,8 @@
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/measure_tree.hpp"
 #include "kappa/mesh/orders.hpp"
+#include "kappa/mesh/refine.hpp"
+#include "kappa/mesh/scale.hpp"
 #include "kappa/mesh/statistics.hpp"
 
 namespace kappa {
@@ -92,25 +94,25 @@ void add_limit(const MeasuredTriangles& triangles, std::size_t t, std::size_t co
 
 /// Every vertex below `vertices` gets the whole faces around it, a polygon with all of its parts.
 void add_stars(const MeasuredTriangles& triangles, std::vector<BallMeasures>& sums) {
-  const std::size_t vertices = triangles.vertices;
-  // The parts of a polygon share its barycentre, their last corner; the first two run round the polygon.
-  std::vector<BallMeasures> polygons(triangles.x.size() - vertices);
-  const auto add_to = [](BallMeasures& to, const MeasureSum& sum, Index faces) {
-    to.sum += sum;
-    to.face_count += faces;
+  const auto add_to = [&](Index v, const MeasureSum& sum, Index parts) {
+    sums[v].sum += sum;
+    sums[v].face_count += parts;
   };
+  const std::vector<Index> parts = parts_of_faces(triangles);
+  const bool split = std::any_of(parts.begin(), parts.end(), [](Index n) { return n > 1; });
+  std::vector<MeasureSum> faces(split ? parts.size() : 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto& c = triangles.corners[t];
-    if (c[2] >= vertices) {
-      add_to(polygons[c[2] - vertices], triangles.measures[t], 1);
+    const Index face = triangles.faces[t];
+    if (parts[face] > 1) {
+      faces[face] += triangles.measures[t];
     } else {
-      for (const Index v : c) add_to(sums[v], triangles.measures[t], 1);
+      for (const Index v : triangles.corners[t]) add_to(v, triangles.measures[t], 1);
     }
   }
-  for (const auto& c : triangles.corners) {
-    if (c[2] < vertices) continue;
-    const BallMeasures& face = polygons[c[2] - vertices];
-    add_to(sums[c[0]], face.sum, face.face_count);
+  // Each vertex of a face in several parts is the first corner of one of them; other first corners are inside it.
+  for (std::size_t t = 0; split && t < triangles.size(); ++t) {
+    const Index face = triangles.faces[t], v = triangles.corners[t][0];
+    if (parts[face] > 1 && v < triangles.vertices) add_to(v, faces[face], parts[face]);
   }
 }
 
@@ -130,6 +132,10 @@ FieldSummary::Percentiles percentiles(std::vector<double>& values) {
 }  // namespace
 
 void validate(const CurvatureOptions& options) {
+  if (options.refine > 0 && options.quads == QuadMeasures::Bilinear)
+    throw Error(ErrorCode::InvalidArgument, "refine = " + std::to_string(options.refine) +
+                                                " with bilinear quads: only triangles are refined; let quads be split");
+  if (options.scale == ScaleChoice::PerPoint) return;
   if (options.radii.empty()) throw Error(ErrorCode::InvalidArgument, "no radius is given: give at least one");
   check_order(options.order);
   for (const double radius : options.radii) {
@@ -148,6 +154,9 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std:
                                                 const Execution& run) {
   check_count(u.size(), centres.size(), "centre");
   check_order(options.order);
+  if (options.scale != ScaleChoice::Given)
+    throw Error(ErrorCode::InvalidArgument,
+                "scale = per point: it is chosen for the vertices of a mesh, not for centres");
   std::vector<CurvatureField> fields;
   for (const double radius : options.radii)
     fields.push_back({radius, std::vector<CurvatureSample>(centres.size()), options.order});
@@ -175,6 +184,7 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std:
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run) {
   validate(options);
+  if (options.scale == ScaleChoice::PerPoint) return {estimate_at_own_scale(balls, u, options.ball, run)};
   const MeasuredTriangles& triangles = balls.triangles();
   check_count(u.size(), triangles.vertices, "vertex");
   CurvatureOptions positive = options;
@@ -215,8 +225,19 @@ CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const No
 std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run) {
   validate(options);
-  const MeasureTree balls(measure_triangles(mesh, u, options.quads, stage(run, 0.0, 0.1)));
+  const Execution first = stage(run, 0.0, 0.1);
+  const MeasureTree balls(options.refine > 0 ? measure_refined(mesh, u, options.refine, first)
+                                             : measure_triangles(mesh, u, options.quads, first));
   return estimate_curvatures(balls, u, options, stage(run, 0.1, 1.0));
+}
+
+double typical_radius(const CurvatureField& field) {
+  if (!field.own_scales()) return field.radius;
+  std::vector<double> radii;
+  for (const CurvatureSample& s : field.samples) {
+    if (s.k.status == PointStatus::Valid) radii.push_back(s.radius);
+  }
+  return percentile(radii, 50);
 }
 
 FieldSummary summarise(const CurvatureField& field) {

@@ -19,6 +19,17 @@ std::vector<T> every(std::size_t step, const std::vector<T>& from) {
   return sample;
 }
 
+/// Where every point has its own scale the error is known already.
+double threshold_of_errors(const CurvatureField& field) {
+  constexpr double kErrors = 1.5, kLeast = 1e-6;
+  std::vector<double> errors;
+  for (const CurvatureSample& s : field.samples) {
+    if (s.k.status == PointStatus::Valid && s.std_error >= 0) errors.push_back(s.std_error);
+  }
+  const double typical = percentile(errors, 50);
+  return std::isnan(typical) ? kNaN : std::max(kErrors * typical, kLeast / typical_radius(field));
+}
+
 }  // namespace
 
 double curvature_threshold(const CurvatureField& coarse, const CurvatureField& fine, double scale) {
@@ -45,11 +56,15 @@ double estimate_threshold(const BallSum& balls, const std::vector<Vec3>& centres
                                                 std::to_string(u.size()) + " normals for " +
                                                 std::to_string(centres.size()) + " centres at spacing " +
                                                 std::to_string(spacing) + ": give one each, spacing > 0");
+  if (field.own_scales()) return threshold_of_errors(field);
   const std::size_t step = std::max<std::size_t>(1, centres.size() / kSample);
   const double other = field.radius > 0 ? field.radius / 2 : spacing;
-  const CurvatureField own{field.radius, every(step, field.samples)};
-  const std::vector<CurvatureField> fine =
-      estimate_curvatures(balls, every(step, centres), every(step, u), {other}, ball, run);
+  const CurvatureField own{field.radius, every(step, field.samples), field.order};
+  CurvatureOptions finer;
+  finer.radii = {other};
+  finer.order = field.order;
+  finer.ball = ball;
+  const std::vector<CurvatureField> fine = estimate_curvatures(balls, every(step, centres), every(step, u), finer, run);
   return curvature_threshold(own, fine.front(), std::max(field.radius, other));
 }
 

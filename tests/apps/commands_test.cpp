@@ -88,6 +88,71 @@ TEST(Commands, SeveralRadiiGiveFieldsWithSuffixes) {
   EXPECT_EQ(run({"compare", f.file("o.ply"), f.file("s.ply")}).exit_code, 1);
 }
 
+TEST(Commands, HigherOrdersCancelBiasAndTellTheirError) {
+  const Folder f;
+  generate({"torus", f.file("torus.ply"), "--slices", "60", "--sides", "40"});
+  const Scan truth = read_scan(f.file("torus.ply"));
+  std::vector<double> errors;
+  for (const std::string order : {"1", "2", "3"}) {
+    const Outcome done = run({"curvature", f.file("torus.ply"), f.file("o.ply"), "--radius", "0.8", "--order", order});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const Scan out = read_scan(f.file("o.ply"));
+    errors.push_back(rms_of(compare_scans(out, truth), "k_max"));
+    EXPECT_EQ(out.field("std_error") != nullptr, order != "1");
+    EXPECT_EQ(done.out.find("std_error") != std::string::npos, order != "1");
+  }
+  EXPECT_LT(errors[1], errors[0] / 10);
+  EXPECT_LT(errors[2], errors[1]);
+}
+
+TEST(Commands, RadiusAndOrderOfEveryPoint) {
+  const Folder f;
+  generate({"torus", f.file("torus.ply"), "--slices", "60", "--sides", "40"});
+  const Outcome done = run({"segment", f.file("torus.ply"), f.file("o.ply"), "--radius", "auto-per-point"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("chosen for every point"), std::string::npos) << done.out;
+  const Scan out = read_scan(f.file("o.ply"));
+  for (const char* name : {"radius", "order", "std_error", "label"}) ASSERT_TRUE(out.field(name)) << name;
+  EXPECT_LT(rms_of(compare_scans(out, read_scan(f.file("torus.ply"))), "k_max"), 2e-3);
+  for (std::size_t i = 0; i < out.points.size(); ++i) {
+    EXPECT_GT(out.field("radius")->values[i], 0);
+    EXPECT_GE(out.field("order")->values[i], 1);
+  }
+}
+
+TEST(Commands, RefiningWarnsOfNoise) {
+  const Folder f;
+  generate({"torus", f.file("torus.ply"), "--slices", "40", "--sides", "30"});
+  const Outcome clean = run({"curvature", f.file("torus.ply"), f.file("o.ply"), "--refine", "2"});
+  ASSERT_EQ(clean.exit_code, 0) << clean.err;
+  EXPECT_EQ(clean.out.find("warning"), std::string::npos) << clean.out;
+  generate({"torus", f.file("noisy.ply"), "--slices", "40", "--sides", "30", "--noise", "0.3"});
+  const Outcome noisy = run({"curvature", f.file("noisy.ply"), f.file("o.ply"), "--normals", "max", "--refine", "1"});
+  ASSERT_EQ(noisy.exit_code, 0) << noisy.err;
+  EXPECT_NE(noisy.out.find("warning"), std::string::npos) << noisy.out;
+}
+
+TEST(Commands, OrdersThatMakeNoSenseAreRefused) {
+  const Folder f;
+  generate({"sphere", f.file("s.ply")});
+  const auto code = [&](const Arguments& more) {
+    Arguments all = {"curvature", f.file("s.ply"), f.file("o.ply")};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome done = run(all);
+    EXPECT_NE(done.err, "");
+    return done.exit_code;
+  };
+  EXPECT_EQ(code({"--order", "0"}), 2);
+  EXPECT_EQ(code({"--order", "4"}), 2);
+  EXPECT_EQ(code({"--order", "2", "--radius", "0,0.5"}), 2);
+  EXPECT_EQ(code({"--order", "2", "--radius", "auto-per-point"}), 2);
+  EXPECT_EQ(code({"--order", "2", "--surface", "hexagram"}), 2);
+  EXPECT_EQ(code({"--refine", "1", "--quads", "bilinear"}), 2);
+  EXPECT_EQ(code({"--refine", "7"}), 2);
+  EXPECT_EQ(code({"--radius", "auto-per-point,0.5"}), 2);
+  EXPECT_TRUE(f.names().size() == 1) << "no file is left";
+}
+
 TEST(Commands, FlippingTurnsTheSigns) {
   const Folder f;
   generate({"torus", f.file("t.ply"), "--slices", "40", "--sides", "24"});

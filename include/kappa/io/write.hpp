@@ -33,7 +33,8 @@ const std::vector<std::string>& writable_extensions();
 void check_writable(const std::string& path);
 
 /// Fields of DESIGN.md in their order: mean_curvature gaussian_curvature k_min k_max dir_min_x ... mu0
-/// mu1 mu2 area coverage face_count status, each followed by `suffix`.
+/// mu1 mu2 area coverage face_count status, each followed by `suffix`; where bias was cancelled also
+/// std_error, and where every point has its own scale also radius order.
 std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix = "");
 
 /// `label region`.

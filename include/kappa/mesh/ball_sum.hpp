@@ -31,7 +31,8 @@ enum class QuadMeasures {
 struct MeasuredTriangles {
   std::vector<Vec3> x;  ///< vertices of the mesh, then the barycentres
   Normals u;            ///< normals there
-  /// Of a polygon split at its barycentre: two neighbouring vertices and the barycentre.
+  /// Of a polygon split at its barycentre: two neighbouring vertices and the barycentre. Where a face has several
+  /// parts, each of its vertices is the first corner of one of them.
   std::vector<std::array<Index, 3>> corners;
   std::vector<double> weights;       ///< of each triangle
   std::vector<MeasureSum> measures;  ///< of each whole triangle, times its weight
@@ -45,6 +46,9 @@ struct MeasuredTriangles {
 /// @throws Error InvalidData if the mesh is not valid, or InvalidArgument if normals.size() is not #V.
 MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads = QuadMeasures::Split,
                                     const Execution& run = {});
+
+/// Number of parts of every face of the mesh up to the last one that has any. The triangles may stand in any order.
+std::vector<Index> parts_of_faces(const MeasuredTriangles& triangles);
 
 /// Measures of a ball, with the number of triangles (parts of polygons count singly) it meets.
 struct BallMeasures {

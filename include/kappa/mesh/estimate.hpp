@@ -23,10 +23,15 @@ struct CurvatureSample {
 
 /// Curvature at every vertex or point, for one radius.
 struct CurvatureField {
-  double radius = 0;
+  double radius = 0;  ///< NaN if each point has its own
   std::vector<CurvatureSample> samples;
-  int order = 1;
+  int order = 1;  ///< 0 if each point has its own
+
+  bool own_scales() const { return order == 0; }
 };
+
+/// The radius of the field, or the median of those that its valid points have of their own; NaN if there is none.
+double typical_radius(const CurvatureField& field);
 
 /// What the measures at radius 0 of a vertex are.
 enum class VertexLimit {
@@ -34,7 +39,14 @@ enum class VertexLimit {
   Limit  ///< limit of area-fraction balls for radius -> 0+: sum over the incident triangles of angle x measure / area
 };
 
+/// Who chooses radius and order.
+enum class ScaleChoice {
+  Given,    ///< one field for each of the radii, at the order given
+  PerPoint  ///< the data, for every point on its own: one field; radii and order are not used
+};
+
 struct CurvatureOptions {
+  ScaleChoice scale = ScaleChoice::Given;
   /// Radii of the measuring balls, in units of the data; 0 is the vertex limit (meshes only).
   std::vector<double> radii = {0.0};
   BallDefinition ball = BallDefinition::ExactDensity;
@@ -42,16 +54,21 @@ struct CurvatureOptions {
   VertexLimit vertex_limit = VertexLimit::Star;
   /// Order of the bias that is cancelled, 1 (none) to 3, see `extrapolate`. Orders 2 and 3 need balls: no radius 0.
   int order = 1;
+  /// Times every face is split in four on a curved patch before it is measured, see `measure_refined`; for calls that
+  /// take a mesh.
+  int refine = 0;
 };
 
-/// @throws Error InvalidArgument if there is no radius, one is negative or not finite, the order is not 1 to 3, or is
-/// above 1 beside a radius 0.
+/// @throws Error InvalidArgument if faces are to be refined and quads bilinear; and unless each point has its own
+/// scale, if there is no radius, one is negative or not finite, the order is not 1 to 3, or is above 1 beside a radius
+/// 0.
 void validate(const CurvatureOptions& options);
 
 /// Curvatures of the balls around `centres`, with the corrected normals `u` there, one field a radius; all balls of a
 /// centre, of all radii and orders, are summed at once. A centre or normal that is not finite, or a zero normal, gives
 /// PointStatus::Invalid; at orders above 1, so does each status of the balls: see `extrapolate`.
-/// @throws Error InvalidArgument if sizes differ, a radius is not positive, or as `validate` does.
+/// @throws Error InvalidArgument if sizes differ, a radius is not positive, the scale is not Given, or the order is not
+/// 1 to 3.
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
                                                 const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run = {});
@@ -61,8 +78,9 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std:
                                                 const Normals& u, const std::vector<double>& radii, BallDefinition ball,
                                                 const Execution& run = {});
 
-/// The same at the vertices of the mesh that the triangles were made of, where a radius may be 0.
-/// @throws Error InvalidArgument if u.size() is not their number, or as `validate` does.
+/// The same at the vertices of the mesh that the triangles were made of, where a radius may be 0, or radius and order
+/// be chosen for each (`estimate_at_own_scale`).
+/// @throws Error InvalidArgument if u.size() is not their number, or as `validate` and `estimate_at_own_scale` do.
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run = {});
 

@@ -22,7 +22,8 @@ double curvature_threshold(const CurvatureField& coarse, const CurvatureField& f
 
 /// `curvature_threshold` for a field of balls (or, at radius 0, of vertices) around `centres`: the finer field is
 /// computed for at most 20,000 of them, evenly spread. At radius 0 the field is compared with balls of radius
-/// `spacing`, the typical length of an edge. NaN if no point is valid in both.
+/// `spacing`, the typical length of an edge; fields of a higher order with those of that order. Where every point has
+/// its own scale it is one and a half times the median of their std_error. NaN if no point is valid in both.
 /// @throws Error InvalidArgument if sizes differ or spacing is not positive.
 double estimate_threshold(const BallSum& balls, const std::vector<Vec3>& centres, const Normals& u,
                           const CurvatureField& field, BallDefinition ball, double spacing, const Execution& run = {});

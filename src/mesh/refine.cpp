@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/mesh/refine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "kappa/core/error.hpp"
+#include "kappa/mesh/statistics.hpp"
+
+namespace kappa {
+namespace {
+
+constexpr std::size_t kBlock = 256;
+
+struct Vertex {
+  Vec3 x, u;
+};
+
+/// Every operation gives the same bits with a and b exchanged.
+Vertex midpoint(const Vertex& a, const Vertex& b) {
+  const Vec3 e = b.x - a.x;
+  Vertex m;
+  m.x = 0.5 * (a.x + b.x) - 0.125 * (e.dot(a.u) * a.u - e.dot(b.u) * b.u);
+  m.u = a.u + b.u;
+  const double length_sq = e.squaredNorm();
+  if (length_sq > 0) m.u -= (2 * e.dot(m.u) / length_sq) * e;
+  const double length = m.u.norm();
+  if (length > 0) m.u /= length;
+  return m;
+}
+
+/// The points of a triangle at barycentric coordinates (side - i - j, i, j) / side, i + j <= side.
+class Patch {
+ public:
+  explicit Patch(int levels) : side_(std::size_t{1} << levels), points_((side_ + 1) * (side_ + 2) / 2) {}
+
+  void fill(const Vertex& a, const Vertex& b, const Vertex& c) {
+    at(0, 0) = a;
+    at(side_, 0) = b;
+    at(0, side_) = c;
+    for (std::size_t step = side_; step > 1; step /= 2) add_midpoints(step);
+  }
+
+  std::size_t side() const { return side_; }
+  const std::vector<Vertex>& points() const { return points_; }
+
+  /// Place of a point in points().
+  std::size_t place(std::size_t i, std::size_t j) const { return (j * (2 * side_ + 3 - j)) / 2 + i; }
+
+ private:
+  Vertex& at(std::size_t i, std::size_t j) { return points_[place(i, j)]; }
+
+  void add_midpoints(std::size_t step) {
+    const std::size_t half = step / 2;
+    for (std::size_t j = 0; j < side_; j += step) {
+      for (std::size_t i = 0; i + j < side_; i += step) {
+        at(i + half, j) = midpoint(at(i, j), at(i + step, j));
+        at(i, j + half) = midpoint(at(i, j), at(i, j + step));
+        at(i + half, j + half) = midpoint(at(i + step, j), at(i, j + step));
+      }
+    }
+  }
+
+  std::size_t side_;
+  std::vector<Vertex> points_;
+};
+
+MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
+  const auto& c = t.corners[i];
+  const Vec3 &x0 = t.x[c[0]], &u0 = t.u[c[0]];
+  const Vec3 u_bar = (u0 + t.u[c[1]] + t.u[c[2]]) / 3.0;
+  MeasureSum m = triangle_density_sum(t.x[c[1]] - x0, t.x[c[2]] - x0, t.u[c[1]] - u0, t.u[c[2]] - u0, u_bar);
+  m *= t.weights[i];
+  return m;
+}
+
+/// Splits the triangles of `from` into slots of `to`, each triangle its own.
+class Refiner {
+ public:
+  Refiner(const MeasuredTriangles& from, int levels, MeasuredTriangles& to)
+      : from_(from), to_(to), levels_(levels), parts_(std::size_t{1} << (2 * levels)) {
+    const std::size_t side = std::size_t{1} << levels;
+    added_points_ = (side + 1) * (side + 2) / 2 - 3;
+  }
+
+  std::size_t parts() const { return parts_; }
+  std::size_t added_points() const { return added_points_; }
+
+  void split(std::size_t begin, std::size_t end) {
+    Patch patch(levels_);
+    std::vector<Index> names(patch.points().size());
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& c = from_.corners[t];
+      patch.fill(vertex(c[0]), vertex(c[1]), vertex(c[2]));
+      store_points(patch, t, names);
+      store_parts(patch, t, names);
+    }
+  }
+
+ private:
+  Vertex vertex(Index v) const { return {from_.x[v], from_.u[v].normalized()}; }
+
+  void store_points(const Patch& patch, std::size_t t, std::vector<Index>& names) {
+    std::size_t next = from_.x.size() + t * added_points_;
+    const std::array<std::size_t, 3> corner = {patch.place(0, 0), patch.place(patch.side(), 0),
+                                               patch.place(0, patch.side())};
+    for (std::size_t p = 0; p < names.size(); ++p) {
+      const auto is = std::find(corner.begin(), corner.end(), p);
+      if (is != corner.end()) {
+        names[p] = from_.corners[t][static_cast<std::size_t>(is - corner.begin())];
+        continue;
+      }
+      names[p] = static_cast<Index>(next);
+      to_.x[next] = patch.points()[p].x;
+      to_.u[next] = patch.points()[p].u;
+      ++next;
+    }
+  }
+
+  /// Of a face, each vertex of the mesh must be the first corner of one part (see MeasuredTriangles::corners): of a
+  /// triangle all three, of a part of a polygon the first one alone.
+  void store_parts(const Patch& patch, std::size_t t, const std::vector<Index>& names) {
+    const bool whole_face = from_.corners[t][2] < from_.vertices;
+    const std::size_t last = patch.side() - 1;
+    std::size_t next = t * parts_;
+    const auto store = [&](std::size_t i0, std::size_t j0, std::size_t i1, std::size_t j1, std::size_t i2,
+                           std::size_t j2) {
+      to_.corners[next] = {names[patch.place(i0, j0)], names[patch.place(i1, j1)], names[patch.place(i2, j2)]};
+      to_.weights[next] = from_.weights[t];
+      to_.faces[next] = from_.faces[t];
+      to_.measures[next] = whole_measures(to_, next);
+      ++next;
+    };
+    for (std::size_t j = 0; j <= last; ++j) {
+      for (std::size_t i = 0; i + j <= last; ++i) {
+        if (whole_face && i == last && last > 0) {
+          store(i + 1, j, i, j + 1, i, j);
+        } else if (whole_face && j == last && last > 0) {
+          store(i, j + 1, i, j, i + 1, j);
+        } else {
+          store(i, j, i + 1, j, i, j + 1);
+        }
+        if (i + j < last) store(i + 1, j, i + 1, j + 1, i, j + 1);
+      }
+    }
+  }
+
+  const MeasuredTriangles& from_;
+  MeasuredTriangles& to_;
+  int levels_;
+  std::size_t parts_, added_points_;
+};
+
+void check_levels(int levels, std::size_t triangles) {
+  if (levels < 0 || levels > kMostRefinements)
+    throw Error(ErrorCode::InvalidArgument,
+                "refine = " + std::to_string(levels) + ": give 0 to " + std::to_string(kMostRefinements));
+  constexpr std::size_t kMost = std::size_t{1} << 31;
+  if ((triangles << (2 * levels)) >= kMost)
+    throw Error(ErrorCode::InvalidArgument, "refine = " + std::to_string(levels) + " makes " +
+                                                std::to_string(triangles << (2 * levels)) +
+                                                " triangles, more than 2^31 - 1: give less");
+}
+
+}  // namespace
+
+MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, int levels, const Execution& run) {
+  check_levels(levels, mesh.faces.corners().size());
+  MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.2));
+  if (levels == 0) return coarse;
+  MeasuredTriangles fine;
+  Refiner refiner(coarse, levels, fine);
+  fine.vertices = coarse.vertices;
+  fine.dropped_faces = coarse.dropped_faces;
+  fine.x = coarse.x;
+  fine.u = coarse.u;
+  fine.x.resize(coarse.x.size() + coarse.size() * refiner.added_points());
+  fine.u.resize(fine.x.size());
+  fine.corners.resize(coarse.size() * refiner.parts());
+  fine.weights.resize(fine.corners.size());
+  fine.faces.resize(fine.corners.size());
+  fine.measures.resize(fine.corners.size());
+  parallel_for(coarse.size(), kBlock, stage(run, 0.2, 1),
+               [&](std::size_t begin, std::size_t end, int) { refiner.split(begin, end); });
+  return fine;
+}
+
+double normal_roughness(const Mesh& mesh, const Normals& normals) {
+  constexpr double kLeastTurn = 1e-6;
+  std::vector<double> ratios;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Faces::View face = mesh.faces[f];
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Index a = face[i], b = face[(i + 1) % face.size()];
+      const Vec3 e = mesh.vertices[b] - mesh.vertices[a];
+      const double turn = e.norm() * (normals[b] - normals[a]).norm();
+      if (turn > kLeastTurn * e.norm()) ratios.push_back(std::abs(e.dot(normals[a] + normals[b])) / turn);
+    }
+  }
+  return percentile(ratios, 50);
+}
+
+}  // namespace kappa
