@@ -320,8 +320,7 @@ TEST_F(FigureTest, TheUpAxisPointsUp) {
 
 TEST(AutomaticCamera, ADepthCameraSeesItsCloudUpright) {
   Scan scan;
-  for (int i = 0; i < 100; ++i)
-    scan.points.emplace_back(0.1 * (i % 10) - 0.5, 0.1 * (i / 10) - 0.5, 1 + 0.05 * (i % 7));
+  for (int i = 0; i < 100; ++i) scan.points.emplace_back(0.1 * (i % 10) - 0.5, 0.1 * (i / 10) - 0.5, 1 + 0.1 * (i % 7));
   scan.normals.assign(scan.points.size(), Vec3(0, 0, -1));
   EXPECT_EQ(automatic_camera(scan).up, UpAxis::NegativeY);
   scan.normals.assign(scan.points.size(), Vec3(0, 0, 1));  // not seen from the origin
