@@ -19,7 +19,9 @@ inline constexpr int kMostRefinements = 6;
 /// what was watertight stays so.
 ///
 /// On a smooth surface with exact normals the patch is nearer to it than the face by two orders of the edge length.
-/// Noise of the normals it follows instead of averaging: see `normal_roughness`. Nothing but the parts is stored:
+/// Noise of the normals it follows instead of averaging: see `normal_roughness`. Curvature gains on irregular
+/// samplings; where the errors of plain faces cancel (spheres, aligned grids) it loses some: docs/accuracy.md.
+/// Nothing but the parts is stored:
 /// 4^levels times the memory of `measure_triangles`, and up to three times as many vertices as the mesh would have,
 /// since faces do not share the new ones. x[0..#V) are the vertices of the mesh.
 /// @throws Error InvalidArgument if levels is not 0 to kMostRefinements or there would be 2^31 parts or more; and as
