@@ -12,6 +12,7 @@
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
+#include "support/ball_sums.hpp"
 #include "support/shapes.hpp"
 
 namespace kappa {
@@ -20,59 +21,6 @@ namespace {
 using shapes::Shape;
 
 constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
-
-std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
-                               BallDefinition ball, const Execution& run = {}) {
-  std::vector<BallMeasures> out(centres.size() * radii.size());
-  balls.sum(centres, radii, ball, run, [&](std::size_t query, const BallMeasures* per_radius) {
-    std::copy_n(per_radius, radii.size(), out.begin() + static_cast<std::ptrdiff_t>(query * radii.size()));
-  });
-  return out;
-}
-
-/// The sum with the sum of absolute values of what every triangle adds.
-struct Scaled {
-  BallMeasures ball;
-  MeasureSum scale;
-};
-
-std::vector<Scaled> brute_force(const MeasuredTriangles& t, const std::vector<Vec3>& centres,
-                                const std::vector<double>& radii, BallDefinition ball) {
-  std::vector<Scaled> out;
-  for (const Vec3& centre : centres) {
-    for (const double radius : radii) {
-      Scaled s;
-      for (std::size_t i = 0; i < t.size() && is_finite(centre); ++i) {
-        BallMeasures one;
-        if (!add_triangle_in_ball(t, i, centre, radius, ball, one)) continue;
-        s.ball.sum += one.sum;
-        ++s.ball.face_count;
-        s.scale.area += std::abs(one.sum.area);
-        s.scale.mu0 += std::abs(one.sum.mu0);
-        s.scale.mu2 += std::abs(one.sum.mu2);
-        for (std::size_t k = 0; k < 6; ++k) s.scale.mu_sym[k] += std::abs(one.sum.mu_sym[k]);
-      }
-      out.push_back(s);
-    }
-  }
-  return out;
-}
-
-/// Largest difference in units of the sums of absolute values; those of the tensor's entries together, because a
-/// single one may vanish. `floor`: area that counts as rounding of coordinates.
-double error(const MeasureSum& got, const Scaled& expected, double floor = 0) {
-  const MeasureSum &a = expected.ball.sum, &scale = expected.scale;
-  const auto relative = [](double difference, double unit) {
-    return difference == 0 ? 0.0 : std::abs(difference) / unit;
-  };
-  double tensor = 0, tensor_scale = 0;
-  for (std::size_t k = 0; k < 6; ++k) {
-    tensor = std::max(tensor, std::abs(got.mu_sym[k] - a.mu_sym[k]));
-    tensor_scale += scale.mu_sym[k];
-  }
-  return std::max({relative(got.area - a.area, scale.area + floor), relative(got.mu0 - a.mu0, scale.mu0 + floor),
-                   relative(got.mu2 - a.mu2, scale.mu2 + floor), relative(tensor, tensor_scale + floor)});
-}
 
 /// Vertices, and as many places off the surface, at most `count` each.
 std::vector<Vec3> places(const Mesh& mesh, std::size_t count, double spread) {
@@ -89,17 +37,17 @@ std::vector<Vec3> places(const Mesh& mesh, std::size_t count, double spread) {
 }
 
 void expect_brute_force(const MeasuredTriangles& t, const std::vector<Vec3>& centres, const std::vector<double>& radii,
-                        const std::string& name, double tolerance = 1e-11) {
+                        const std::string& name, double tolerance = 1e-12) {
   const MeasureTree tree(t);
   for (const BallDefinition ball : kBalls) {
-    const auto got = sums(tree, centres, radii, ball);
-    const auto expected = brute_force(t, centres, radii, ball);
+    const auto got = test::sums(tree, centres, radii, ball);
+    const auto expected = test::brute_force(t, centres, radii, ball);
     for (std::size_t i = 0; i < got.size(); ++i) {
       const std::string what = name + ", query " + std::to_string(i / radii.size()) + ", radius " +
                                std::to_string(radii[i % radii.size()]) + ", definition " +
                                std::to_string(static_cast<int>(ball));
       EXPECT_EQ(got[i].face_count, expected[i].ball.face_count) << what;
-      EXPECT_LE(error(got[i].sum, expected[i], 1e-4 * t.measures[0].area), tolerance) << what;
+      EXPECT_LE(test::relative_error(got[i].sum, expected[i]), tolerance) << what;
     }
   }
 }
@@ -171,7 +119,7 @@ TEST(MeasureTree, EqualsBruteForceOnBilinearQuads) {
 
 TEST(MeasureTree, SmallestAndDegenerateInputs) {
   const MeasureTree nothing((MeasuredTriangles()));
-  EXPECT_EQ(sums(nothing, {Vec3::Zero()}, {1.0}, BallDefinition::ExactDensity)[0].face_count, 0U);
+  EXPECT_EQ(test::sums(nothing, {Vec3::Zero()}, {1.0}, BallDefinition::ExactDensity)[0].face_count, 0U);
 
   Mesh one;
   one.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.2, 1, 0)};
@@ -187,7 +135,8 @@ TEST(MeasureTree, SmallestAndDegenerateInputs) {
   point.vertices.assign(3, Vec3(2, 3, 4));
   for (int copy = 0; copy < 100; ++copy) point.faces.add(0, 1, 2);
   const MeasureTree at_a_point(measure_triangles(point, up));
-  const auto got = sums(at_a_point, {Vec3(2, 3, 4), Vec3(2, 3, 5), Vec3(2, 3, 5.1)}, {1}, BallDefinition::ExactDensity);
+  const auto got =
+      test::sums(at_a_point, {Vec3(2, 3, 4), Vec3(2, 3, 5), Vec3(2, 3, 5.1)}, {1}, BallDefinition::ExactDensity);
   EXPECT_EQ(got[0].face_count, 100U);
   EXPECT_EQ(got[1].face_count, 100U) << "the ball is closed";
   EXPECT_EQ(got[2].face_count, 0U);
@@ -209,9 +158,9 @@ TEST(MeasureTree, RadiiTogetherEqualRadiiAlone) {
   const MeasureTree tree(t);
   const std::vector<double> radii = {0.8, 0.2, 0.8 * std::sqrt(0.5), 0.4, 5, 0.2};
   for (const BallDefinition ball : kBalls) {
-    const auto together = sums(tree, s.mesh.vertices, radii, ball);
+    const auto together = test::sums(tree, s.mesh.vertices, radii, ball);
     for (std::size_t r = 0; r < radii.size(); ++r) {
-      const auto alone = sums(tree, s.mesh.vertices, {radii[r]}, ball);
+      const auto alone = test::sums(tree, s.mesh.vertices, {radii[r]}, ball);
       for (std::size_t i = 0; i < alone.size(); ++i) {
         const BallMeasures &a = together[i * radii.size() + r], &b = alone[i];
         EXPECT_EQ(a.face_count, b.face_count);
@@ -230,7 +179,7 @@ TEST(MeasureTree, ThreadsGiveTheSameBits) {
     for (const int threads : {1, 2, 3}) {
       Execution run;
       run.threads = threads;
-      results.push_back(sums(tree, s.mesh.vertices, {0.2, 0.7}, BallDefinition::ExactDensity, run));
+      results.push_back(test::sums(tree, s.mesh.vertices, {0.2, 0.7}, BallDefinition::ExactDensity, run));
     }
     for (std::size_t i = 0; i < results[0].size(); ++i) {
       for (std::size_t other = 1; other < results.size(); ++other) {
@@ -247,9 +196,9 @@ TEST(MeasureTree, OrderOfQueriesAndCompanyChangeNoBit) {
   std::vector<Vec3> shuffled = s.mesh.vertices;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937_64(4));
   shuffled.resize(300);
-  const auto all = sums(tree, shuffled, {0.6}, BallDefinition::ExactDensity);
+  const auto all = test::sums(tree, shuffled, {0.6}, BallDefinition::ExactDensity);
   for (std::size_t i = 0; i < shuffled.size(); ++i) {
-    const auto alone = sums(tree, {shuffled[i]}, {0.6}, BallDefinition::ExactDensity);
+    const auto alone = test::sums(tree, {shuffled[i]}, {0.6}, BallDefinition::ExactDensity);
     EXPECT_EQ(std::memcmp(&all[i].sum, &alone[0].sum, sizeof(MeasureSum)), 0) << i;
   }
 }
@@ -258,16 +207,16 @@ TEST(MeasureTree, RefusesRadiiThatAreNoBallsAndSurvivesCentresThatAreNoPoints) {
   const Shape s = shapes::sphere(1, 2);
   const MeasureTree tree(measure_triangles(s.mesh, s.normals));
   for (const double radius : {0.0, -1.0, kNaN, HUGE_VAL})
-    EXPECT_THROW(sums(tree, {Vec3::Zero()}, {radius}, BallDefinition::ExactDensity), Error) << radius;
-  const auto got =
-      sums(tree, {Vec3(kNaN, 0, 0), Vec3(0, HUGE_VAL, 0), Vec3(1, 0, 0)}, {0.5, 9.0}, BallDefinition::ExactDensity);
+    EXPECT_THROW(test::sums(tree, {Vec3::Zero()}, {radius}, BallDefinition::ExactDensity), Error) << radius;
+  const auto got = test::sums(tree, {Vec3(kNaN, 0, 0), Vec3(0, HUGE_VAL, 0), Vec3(1, 0, 0)}, {0.5, 9.0},
+                              BallDefinition::ExactDensity);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(got[i].face_count, 0U);
     EXPECT_EQ(got[i].sum.mu0, 0.0);
   }
   EXPECT_GT(got[4].face_count, 0U);
   EXPECT_EQ(got[5].face_count, tree.triangles().size());
-  EXPECT_TRUE(sums(tree, {Vec3::Zero()}, {}, BallDefinition::ExactDensity).empty());
+  EXPECT_TRUE(test::sums(tree, {Vec3::Zero()}, {}, BallDefinition::ExactDensity).empty());
 }
 
 TEST(MeasureTree, CanBeCancelled) {
@@ -291,8 +240,8 @@ TEST(MeasureTree, ExactDensityIsUnchangedWhenFacesAreSplitInFour) {
   const std::vector<double> radii = {0.2, 0.9, 2.3};
   double fraction_change = 0;
   for (const BallDefinition ball : kBalls) {
-    const auto a = sums(coarse_tree, coarse.mesh.vertices, radii, ball);
-    const auto b = sums(fine_tree, coarse.mesh.vertices, radii, ball);
+    const auto a = test::sums(coarse_tree, coarse.mesh.vertices, radii, ball);
+    const auto b = test::sums(fine_tree, coarse.mesh.vertices, radii, ball);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double change = (a[i].sum.tensor() - b[i].sum.tensor()).norm() + std::abs(a[i].sum.mu0 - b[i].sum.mu0);
       if (ball == BallDefinition::ExactDensity) {
@@ -327,12 +276,12 @@ TEST(MeasureTree, EqualsBruteForceOnTinyTrianglesOnTheRimOfALargeBall) {
 TEST(MeasureTree, ScalesWithoutLossFarFromUnity) {
   const Shape s = shapes::torus(3, 1, 50, 30);
   const MeasureTree unit(measure_triangles(s.mesh, s.normals));
-  const auto expected = sums(unit, s.mesh.vertices, {0.7}, BallDefinition::ExactDensity);
+  const auto expected = test::sums(unit, s.mesh.vertices, {0.7}, BallDefinition::ExactDensity);
   for (const double scale : {1e-6, 1e-3, 0.3, 1e3, 1e6}) {
     Mesh mesh = s.mesh;
     for (Vec3& x : mesh.vertices) x *= scale;
     const MeasureTree tree(measure_triangles(mesh, s.normals));
-    const auto got = sums(tree, mesh.vertices, {0.7 * scale}, BallDefinition::ExactDensity);
+    const auto got = test::sums(tree, mesh.vertices, {0.7 * scale}, BallDefinition::ExactDensity);
     for (std::size_t i = 0; i < got.size(); ++i) {
       EXPECT_EQ(got[i].face_count, expected[i].face_count);
       EXPECT_NEAR(got[i].sum.mu0 / (scale * scale), expected[i].sum.mu0, 1e-11 * expected[i].sum.area);
@@ -370,8 +319,8 @@ TEST(MeasureTree, RelativeErrorsAreTheSameOverTwelveOrdersOfScale) {
 void expect_fast_close(const Shape& s, double radius, BallDefinition ball) {
   const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
   const MeasureTree in_double(t), fast(t, Precision::Fast);
-  const auto exact = sums(in_double, s.mesh.vertices, {radius}, ball),
-             got = sums(fast, s.mesh.vertices, {radius}, ball);
+  const auto exact = test::sums(in_double, s.mesh.vertices, {radius}, ball),
+             got = test::sums(fast, s.mesh.vertices, {radius}, ball);
   double largest = 0, measures = 0, mean = 0;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     const MeasureSum &a = exact[i].sum, &b = got[i].sum;
