@@ -33,8 +33,9 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_flag("--json", options.json, "Summary as one JSON object on standard output");
 }
 
-void declare(CLI::App& command, SurfaceArguments& options) {
-  SurfaceOptions& s = options.surface;
+namespace {
+
+void declare_kind(CLI::App& command, SurfaceOptions& s) {
   command
       .add_option(
           "--surface", s.surface,
@@ -58,6 +59,10 @@ void declare(CLI::App& command, SurfaceArguments& options) {
   command.add_option("--triangles", s.triangles, "Triangles of each point for uniform and independent")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+}
+
+void declare_cuts(CLI::App& command, SurfaceArguments& options) {
+  SurfaceOptions& s = options.surface;
   command
       .add_option("--max-edge", s.delaunay.max_edge, "Longest edge of a delaunay face in plan, in units of the spacing")
       ->check(CLI::PositiveNumber)
@@ -77,6 +82,10 @@ void declare(CLI::App& command, SurfaceArguments& options) {
                   "Grid and spinning: faces seen at more than this angle to their normal are cut, degrees (80, "
                   "spinning 84)")
       ->check(CLI::Range(1.0, 90.0));
+}
+
+void declare_normals(CLI::App& command, SurfaceArguments& options) {
+  SurfaceOptions& s = options.surface;
   command
       .add_option("--normals", s.normals, "auto, input, geometric, area, angle, max (from faces), pca (from points)")
       ->transform(one_of<NormalsKind>({{"auto", NormalsKind::Auto},
@@ -104,6 +113,14 @@ void declare(CLI::App& command, SurfaceArguments& options) {
       ->expected(1, 2)
       ->option_text("HOW=auto");
   command.add_flag("--flip", options.flip, "Turn all normals round");
+}
+
+}  // namespace
+
+void declare(CLI::App& command, SurfaceArguments& options) {
+  declare_kind(command, options.surface);
+  declare_cuts(command, options);
+  declare_normals(command, options);
 }
 
 SurfaceOptions surface_options(const SurfaceArguments& arguments) {
