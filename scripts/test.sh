@@ -13,7 +13,7 @@ cmake --preset ci
 cmake --build --preset ci --parallel "$jobs"
 ctest --preset ci
 
-sanitized=(core_test mesh_test measure_tree_test io_test las_test las_fuzz_smoke)
+sanitized=(core_test mesh_test scale_test measure_tree_test io_test filter_test las_test las_fuzz_smoke)
 cmake --preset asan-ubsan
 cmake --build --preset asan-ubsan --parallel "$jobs" --target "${sanitized[@]}"
 ctest --preset asan-ubsan --parallel "$jobs" --tests-regex "^($(IFS='|'; echo "${sanitized[*]}"))\$"
