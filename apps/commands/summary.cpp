@@ -29,9 +29,9 @@ std::array<std::size_t, kLabelCount> count_labels(const std::vector<Label>& labe
   return counts;
 }
 
-/// What planes were fitted to.
-std::string extent_of_planes(const Surface& s) {
-  if (s.normals != NormalsKind::Pca) return "";
+/// What planes or quadrics were fitted to.
+std::string extent_of_fits(const Surface& s) {
+  if (s.normals != NormalsKind::Pca && s.normals != NormalsKind::Quadric) return "";
   const std::string nearest = std::to_string(s.normal_neighbours) + " nearest";
   return s.normal_radius > 0 ? " of all points within " + short_number(s.normal_radius) + " or the " + nearest
                              : " of the " + nearest;
@@ -56,7 +56,7 @@ void print_points(const Measured& m) {
   if (s.cut_faces) std::printf(", %zu cut (gap, depth edge or grazing)", s.cut_faces);
   const std::size_t dropped = m.dropped_faces;
   if (dropped) std::printf(", %zu left out (a corner lacks position or normal)", dropped);
-  std::printf("\nnormals     %s%s, sign by %s\n", name(s.normals), extent_of_planes(s).c_str(), name(s.orientation));
+  std::printf("\nnormals     %s%s, sign by %s\n", name(s.normals), extent_of_fits(s).c_str(), name(s.orientation));
 }
 
 void warn_of_disagreement(const NormalAgreement& agreement) {

@@ -5,19 +5,32 @@
 
 #include "kappa/core/execution.hpp"
 #include "kappa/core/types.hpp"
+#include "kappa/search/cloud_normals.hpp"
 
 namespace kappa {
 
-/// Fits the plane of least squares to the finite, distinct points in the closed ball of `radius` around each; the zero
-/// vector where they are fewer than `least` or do not span a plane. Of more than kMostInBall candidates around a point
-/// every m-th is taken.
+/// Fits to the finite, distinct points in the closed ball of `radius` around each; the zero vector where they are fewer
+/// than `least` or do not span a plane. Of more than kMostInBall candidates around a point every m-th is taken.
 /// Points are visited cell by cell of a grid, whose candidates lie side by side in memory: many times faster than a
 /// search for as many nearest neighbours.
-Normals ball_planes(const std::vector<Vec3>& points, double radius, std::size_t least, const Execution& run);
+Normals ball_normals(const std::vector<Vec3>& points, double radius, std::size_t least, NormalFit fit,
+                     const Execution& run);
 inline constexpr std::size_t kMostInBall = 8192;
 
-/// Normal of the plane of least squares of `count` points of first moments `sum` and second moments `products` about a
-/// place among them; the zero vector if they are collinear or fewer than three.
-Vec3 plane_of_moments(double count, const Vec3& sum, const Mat3& products);
+/// By how much the ball of a quadric grows where the centroid of its `count` points lies `offset` radii from its
+/// centre: 1 up to what uneven sampling explains, a tenth and 1 / sqrt(count), 2 from the offset of half a disc on. At
+/// the end of an interval the slope of a parabola of least squares has 16 times the variance that it has in the middle,
+/// and the fourth power of the length of the interval lowers it.
+double growth_of_ball(double offset, std::size_t count);
+
+/// A plane of least squares: its normal, zero if the points are collinear or fewer than three, and how far their
+/// centroid lies from the place that they were measured from.
+struct Plane {
+  Vec3 normal;
+  double offset;
+};
+
+/// Of `count` points of first moments `sum` and second moments `products` about a place among them.
+Plane plane_of_moments(std::size_t count, const Vec3& sum, const Mat3& products);
 
 }  // namespace kappa

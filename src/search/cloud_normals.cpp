@@ -6,9 +6,10 @@
 #include <numeric>
 #include <string>
 
-#include "ball_planes.hpp"
+#include "ball_normals.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/ball_sum.hpp"
+#include "quadric_fit.hpp"
 
 namespace kappa {
 namespace {
@@ -19,10 +20,9 @@ bool less_by_coordinates(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-/// Normal of the plane of least squares, the zero vector if the points do not span a plane.
-Vec3 plane_normal(const std::vector<Vec3>& points, const std::vector<Index>& neighbours) {
-  if (neighbours.empty()) return Vec3::Zero();
-  // About the first neighbour, the point itself, so that nothing cancels.
+/// The plane of the neighbours, the point itself first.
+Plane plane_of(const std::vector<Vec3>& points, const std::vector<Index>& neighbours) {
+  // About the point itself, so that nothing cancels.
   const Vec3& centre = points[neighbours.front()];
   Vec3 sum = Vec3::Zero();
   Mat3 products = Mat3::Zero();
@@ -31,26 +31,61 @@ Vec3 plane_normal(const std::vector<Vec3>& points, const std::vector<Index>& nei
     sum += d;
     products += d * d.transpose();
   }
-  return plane_of_moments(static_cast<double>(neighbours.size()), sum, products);
+  return plane_of_moments(neighbours.size(), sum, products);
 }
 
+/// Fits to the nearest neighbours of one point after the other; one thread's worth of memory.
+class NearestFits {
+ public:
+  NearestFits(const std::vector<Vec3>& points, const NeighbourSearch& search, const NormalFitOptions& options)
+      : points_(points), search_(search), options_(options) {}
+
+  Vec3 normal(Index point) {
+    const auto count = static_cast<std::size_t>(options_.neighbours);
+    const double radius = find(point, count);
+    const Plane plane = plane_of(points_, found_);
+    if (options_.fit == NormalFit::Plane || plane.normal.isZero(0)) return plane.normal;
+    const QuadricFit quadric = fit(point, plane.normal, radius);
+    const double growth = growth_of_ball(plane.offset / radius, count);
+    const auto more = static_cast<std::size_t>(growth * growth * static_cast<double>(count));
+    if (more == count) return quadric.normal_or(plane.normal);
+    return better_fit(quadric, fit(point, plane.normal, find(point, more))).normal_or(plane.normal);
+  }
+
+ private:
+  QuadricFit fit(Index point, const Vec3& plane, double radius) const {
+    QuadricFit quadric(frame_around(plane), radius);
+    for (const Index i : found_) quadric.add(points_[i] - points_[point]);
+    return quadric;
+  }
+
+  /// Fills found_; the distance of the farthest.
+  double find(Index point, std::size_t count) {
+    search_.nearest(points_[point], count, found_, distances_sq_);
+    return std::sqrt(distances_sq_.back());
+  }
+
+  const std::vector<Vec3>& points_;
+  const NeighbourSearch& search_;
+  const NormalFitOptions& options_;
+  std::vector<Index> found_;
+  std::vector<double> distances_sq_;
+};
+
 /// Normals of those that have none yet, from their nearest neighbours.
-void fit_nearest(const std::vector<Vec3>& distinct, int neighbours, const Execution& run, Normals& normals) {
+void fit_nearest(const std::vector<Vec3>& distinct, const NormalFitOptions& options, const Execution& run,
+                 Normals& normals) {
   std::vector<Index> order = spatial_order(distinct);
   order.erase(std::remove_if(order.begin(), order.end(), [&](Index i) { return !normals[i].isZero(0); }), order.end());
   if (order.empty()) return;
   const NeighbourSearch search(distinct);
   parallel_for(order.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    std::vector<Index> found;
-    std::vector<double> distances_sq;
-    for (std::size_t i = begin; i < end; ++i) {
-      search.nearest(distinct[order[i]], static_cast<std::size_t>(neighbours), found, distances_sq);
-      normals[order[i]] = plane_normal(distinct, found);
-    }
+    NearestFits fits(distinct, search, options);
+    for (std::size_t i = begin; i < end; ++i) normals[order[i]] = fits.normal(order[i]);
   });
 }
 
-void check(const PcaOptions& options) {
+void check(const NormalFitOptions& options) {
   if (options.neighbours < 3)
     throw Error(ErrorCode::InvalidArgument,
                 "neighbours = " + std::to_string(options.neighbours) + ": a plane needs at least 3");
@@ -79,7 +114,7 @@ std::vector<Index> find_duplicates(const std::vector<Vec3>& points) {
   return representative;
 }
 
-Normals pca_normals(const std::vector<Vec3>& points, const PcaOptions& options, const Execution& run) {
+Normals fitted_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run) {
   check(options);
   const std::vector<Index> representative = find_duplicates(points);
   std::vector<Vec3> distinct;
@@ -91,9 +126,9 @@ Normals pca_normals(const std::vector<Vec3>& points, const PcaOptions& options, 
   }
   Normals of_distinct(distinct.size(), Vec3::Zero());
   if (options.radius > 0)
-    of_distinct =
-        ball_planes(distinct, options.radius, static_cast<std::size_t>(options.neighbours), stage(run, 0.0, 0.9));
-  fit_nearest(distinct, options.neighbours, options.radius > 0 ? stage(run, 0.9, 1.0) : run, of_distinct);
+    of_distinct = ball_normals(distinct, options.radius, static_cast<std::size_t>(options.neighbours), options.fit,
+                               stage(run, 0.0, 0.9));
+  fit_nearest(distinct, options, options.radius > 0 ? stage(run, 0.9, 1.0) : run, of_distinct);
   Normals normals(points.size(), Vec3::Zero());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (representative[i] != kNoIndex) normals[i] = of_distinct[position[representative[i]]];

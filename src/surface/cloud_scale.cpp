@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "../search/quadric_fit.hpp"
 #include "kappa/mesh/statistics.hpp"
 #include "kappa/search/cloud_normals.hpp"
 #include "kappa/search/neighbours.hpp"
@@ -20,12 +20,7 @@ constexpr std::size_t kFew = 12, kMany = 32;
 constexpr int kRadii = 6;
 constexpr double kSmallest = 5;  // spacings
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-
 /// Axes around a point: two in the plane fitted to its neighbours, and its normal.
-using Frame = Mat3;
-
 Frame fit_frame(const std::vector<Vec3>& x, const std::vector<Index>& near) {
   Vec3 mean = Vec3::Zero();
   for (const Index i : near) mean += (x[i] - x[near[0]]) / static_cast<double>(near.size());
@@ -41,49 +36,6 @@ Frame fit_frame(const std::vector<Vec3>& x, const std::vector<Index>& near) {
   frame.col(2) = solver.eigenvectors().col(0);
   return frame;
 }
-
-/// Least squares of a quadric over the plane of a frame, point by point, in units of `unit`.
-class QuadricFit {
- public:
-  QuadricFit(const Frame& frame, double unit) : frame_(frame), unit_(unit) {}
-
-  void add(const Vec3& d) {
-    const Vec3 q = frame_.transpose() * d / unit_;
-    Vec6 a;
-    a << 1, q.x(), q.y(), 0.5 * q.x() * q.x(), q.x() * q.y(), 0.5 * q.y() * q.y();
-    normal_ += a * a.transpose();
-    right_ += a * q.z();
-    square_ += q.z() * q.z();
-    ++count_;
-  }
-
-  /// Variance of the residuals, a length squared.
-  double variance() const {
-    if (count_ <= 6) return kNaN;
-    const Vec6 c = Eigen::LDLT<Mat6>(normal_).solve(right_);
-    return std::max(0.0, square_ - c.dot(right_)) / static_cast<double>(count_ - 6) * unit_ * unit_;
-  }
-
-  /// Mean curvature over the place of the frame, and its variance for noise of variance 1.
-  std::pair<double, double> mean_curvature() const {
-    const Eigen::LDLT<Mat6> solver(normal_);
-    const Vec6 c = solver.solve(right_);
-    const double p = c[1], q = c[2], w = 1 + p * p + q * q;
-    Vec6 by = Vec6::Zero();  // the curvature is linear in the second derivatives
-    by[3] = (1 + q * q) / (2 * w * std::sqrt(w));
-    by[4] = -2 * p * q / (2 * w * std::sqrt(w));
-    by[5] = (1 + p * p) / (2 * w * std::sqrt(w));
-    return {by.dot(c) / unit_, by.dot(solver.solve(by)) / std::pow(unit_, 4)};
-  }
-
- private:
-  Frame frame_;
-  double unit_;
-  Mat6 normal_ = Mat6::Zero();
-  Vec6 right_ = Vec6::Zero();
-  double square_ = 0;
-  std::size_t count_ = 0;
-};
 
 std::vector<Vec3> distinct_positions(const std::vector<Vec3>& points) {
   const std::vector<Index> representative = find_duplicates(points);

@@ -27,7 +27,7 @@ NormalWeights weights_of(NormalsKind kind) {
   }
 }
 
-/// Orientation of planes fitted to a cloud that no scanner is known of.
+/// Orientation of normals fitted to a cloud that no scanner is known of.
 Orientation choose_by_slope(const Normals& u) {
   constexpr double kFlat = 0.7;
   std::size_t flat = 0, all = 0;
@@ -45,7 +45,7 @@ void orient(const Scan& scan, const SurfaceChoice& choice, Surface& s) {
   if (s.orientation == Orientation::Consistent) s.agreement = orient_consistently(scan.points, s.u).agreement;
 }
 
-/// The ball of the planes that noise asks for, 0 for the nearest neighbours alone.
+/// The ball of the fits that noise asks for, 0 for the nearest neighbours alone.
 double automatic_normal_radius(const CloudScale& scale, const std::optional<double>& measured_radius) {
   const double least = kAutomaticRadius * scale.spacing;
   const double balanced = balanced_radius(scale, least, kLargestRadius * scale.spacing);
@@ -54,17 +54,18 @@ double automatic_normal_radius(const CloudScale& scale, const std::optional<doub
 }
 
 Normals fitted_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
-  PcaOptions planes;
-  planes.neighbours = options.normal_neighbours.value_or(planes.neighbours);
+  NormalFitOptions fit;
+  fit.fit = s.normals == NormalsKind::Pca ? NormalFit::Plane : NormalFit::Quadric;
+  fit.neighbours = options.normal_neighbours.value_or(fit.neighbours);
   s.scale = measure_scale(scan.points, stage(run, 0.0, 0.2));
   if (options.normal_radius) {
-    planes.radius = *options.normal_radius;
+    fit.radius = *options.normal_radius;
   } else if (!options.normal_neighbours) {
-    planes.radius = automatic_normal_radius(s.scale, options.measured_radius);
+    fit.radius = automatic_normal_radius(s.scale, options.measured_radius);
   }
-  s.normal_neighbours = planes.neighbours;
-  s.normal_radius = planes.radius;
-  return pca_normals(scan.points, planes, stage(run, 0.2, 1.0));
+  s.normal_neighbours = fit.neighbours;
+  s.normal_radius = fit.radius;
+  return fitted_normals(scan.points, fit, stage(run, 0.2, 1.0));
 }
 
 /// Normals of the points, where they do not come from faces.
@@ -295,6 +296,8 @@ const char* name(NormalsKind kind) {
       return "max";
     case NormalsKind::Pca:
       return "pca";
+    case NormalsKind::Quadric:
+      return "quadric";
   }
   return "";
 }

@@ -92,10 +92,10 @@ void choose_kind(const Scan& scan, const SurfaceOptions& options, bool seen, Sur
   }
 }
 
-/// The nearest neighbours of a point of a sweep lie on its own ring, a line that no plane can be fitted to.
+/// The nearest neighbours of a point of a sweep lie on its own ring, a line that nothing can be fitted to.
 NormalsKind made_normals(SurfaceKind kind) {
   if (kind == SurfaceKind::Faces) return NormalsKind::Max;
-  return kind == SurfaceKind::Spinning ? NormalsKind::Area : NormalsKind::Pca;
+  return kind == SurfaceKind::Spinning ? NormalsKind::Area : NormalsKind::Quadric;
 }
 
 void choose_normals(const Scan& scan, const SurfaceOptions& options, SurfaceChoice& c) {
@@ -132,13 +132,13 @@ void check_kind(const Scan& scan, const SurfaceChoice& c) {
 
 void check_normals(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& c) {
   if (from_faces(c.normals) && triangle_scheme(c.kind))
-    refuse(std::string("surface = ") + name(c.kind) + " has no faces to take normals from; use pca or input");
+    refuse(std::string("surface = ") + name(c.kind) + " has no faces to take normals from; use quadric or input");
   if (options.averaging_passes > 0 && triangle_scheme(c.kind))
     refuse(std::string("surface = ") + name(c.kind) +
            " has no edges to average normals over; leave the averaging out, or use umbrella");
   if (c.normals != NormalsKind::Input) return;
   if (scan.normals.empty())
-    refuse("normals = input, but the data has no normals; use " + std::string(scan.is_mesh() ? "max" : "pca"));
+    refuse("normals = input, but the data has no normals; use " + std::string(scan.is_mesh() ? "max" : "quadric"));
   if (scan.normals.size() != scan.points.size())
     refuse(std::to_string(scan.normals.size()) + " normals for " + std::to_string(scan.points.size()) +
            " points: give one a point");

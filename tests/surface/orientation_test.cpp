@@ -30,7 +30,7 @@ std::size_t count_wrong(const Normals& u, const Normals& truth) {
 TEST(OrientConsistently, TurnsFittedNormalsOfATorusOutward) {
   const auto cloud = clouds::torus(5000, 1);
   const std::vector<Vec3> x = clouds::positions(cloud);
-  Normals u = scrambled(pca_normals(x, {}), 2);
+  Normals u = scrambled(fitted_normals(x, {}), 2);
   const Normals before = u;
   EXPECT_GT(normal_agreement(x, u).opposed_share(), 0.4);
   const ConsistentOrientation result = orient_consistently(x, u);
@@ -66,13 +66,13 @@ TEST(OrientConsistently, TerrainIsUpAndAWallLooksAwayFromTheRest) {
     const double a = random.uniform(-20, 20), b = random.uniform(-20, 20);
     x.emplace_back(a, b, 3 * std::sin(a / 4) * std::cos(b / 5));
   }
-  Normals u = scrambled(pca_normals(x, {}), 5);
+  Normals u = scrambled(fitted_normals(x, {}), 5);
   orient_consistently(x, u);
   for (const Vec3& v : u) EXPECT_GT(v.z(), 0);
 
   std::vector<Vec3> wall;
   for (int i = 0; i < 900; ++i) wall.emplace_back(7 - 0.01 * std::pow(i % 30 - 15, 2), i % 30, i / 30);
-  Normals w = scrambled(pca_normals(wall, {}), 6);
+  Normals w = scrambled(fitted_normals(wall, {}), 6);
   orient_consistently(wall, w);
   for (const Vec3& v : w) EXPECT_GT(v.x(), 0) << "it bulges towards +x";
 }

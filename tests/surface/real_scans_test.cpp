@@ -67,7 +67,7 @@ TEST(RealScans, FittedNormalsOfTerrainAgree) {
   const std::string path = shared("lidar/airborne-pcd/samp53-utm-ground.pcd");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   const Scan scan = read_scan(path);
-  Normals u = pca_normals(scan.points, {});
+  Normals u = fitted_normals(scan.points, {});
   EXPECT_GT(normal_agreement(scan.points, u).opposed_share(), kSuspiciousDisagreement);
   EXPECT_LT(orient_consistently(scan.points, u).agreement.opposed_share(), 0.001);
   // A few points of its cliffs, whose planes lean over backwards, may look down.

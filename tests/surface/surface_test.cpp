@@ -38,7 +38,7 @@ TEST(MakeSurface, ChoosesByWhatTheScanHas) {
   EXPECT_EQ(make_surface(sphere_scan(true, false), {}).normals, NormalsKind::Max);
   EXPECT_EQ(make_surface(sphere_scan(true, false), {}).orientation, Orientation::AsFaces);
   EXPECT_EQ(make_surface(sphere_scan(false, true), {}).kind, SurfaceKind::Umbrella);
-  EXPECT_EQ(make_surface(sphere_scan(false, false), {}).normals, NormalsKind::Pca);
+  EXPECT_EQ(make_surface(sphere_scan(false, false), {}).normals, NormalsKind::Quadric);
 }
 
 TEST(MakeSurface, NormalsAreUnitAndOutwardOnASphere) {

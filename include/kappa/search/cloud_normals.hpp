@@ -11,17 +11,32 @@ namespace kappa {
 /// itself, kNoIndex for one that is not finite.
 std::vector<Index> find_duplicates(const std::vector<Vec3>& points);
 
-struct PcaOptions {
-  int neighbours = 24;  ///< points of different position a plane is fitted to, the point included; at least 3
-  /// If positive: all points within this radius, where they are at least `neighbours`; the more, the less noise.
-  double radius = 0;
+/// What is fitted to the neighbours of a point.
+enum class NormalFit {
+  /// The plane of least squares (principal component analysis). Its normal is that over the centroid of the neighbours:
+  /// at a point that lies d beside it, at a border or where sampling is uneven, it is wrong by d times the curvature.
+  Plane,
+  /// The quadric of least squares over that plane, taken at the point itself (a jet of degree 2: Cazals and Pouget,
+  /// "Estimating differential quantities using polynomial fitting of osculating jets", CAGD 2005). In the middle of
+  /// evenly spread neighbours noise disturbs it no more than the plane. At a border it would four times as much: there
+  /// the neighbourhood grows, up to twice the radius or four times the neighbours, unless the variance of the residuals
+  /// grows by half with it. Where the neighbours do not fix a quadric, fewer than 12 or in a line, the plane takes its
+  /// place.
+  Quadric
 };
 
-/// Unit normals of the planes of least squares through the nearest neighbours, sign arbitrary. The zero
-/// vector where the point is not finite or its neighbours are collinear or fewer than three.
+struct NormalFitOptions {
+  int neighbours = 24;  ///< points of different position, the point included; at least 3
+  /// If positive: all points within this radius, where they are at least `neighbours`; the more, the less noise.
+  double radius = 0;
+  NormalFit fit = NormalFit::Quadric;
+};
+
+/// Unit normals of the surfaces that are fitted to the neighbours of each point, sign arbitrary. The zero vector where
+/// the point is not finite or its neighbours are collinear or fewer than three.
 /// Exact duplicates count once. Of more than 8192 points within the radius (and a little farther) every m-th is taken.
 /// @throws Error InvalidArgument if there are fewer than 3 neighbours, or the radius is negative or not finite.
-Normals pca_normals(const std::vector<Vec3>& points, const PcaOptions& options, const Execution& run = {});
+Normals fitted_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run = {});
 
 /// Turns each normal so that it points to the side of `viewpoint`.
 void orient_towards(const std::vector<Vec3>& points, const Vec3& viewpoint, Normals& normals);

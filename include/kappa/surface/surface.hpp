@@ -36,13 +36,14 @@ std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind);
 
 /// Where the corrected normals come from.
 enum class NormalsKind {
-  Auto,   ///< Input if the scan has normals; else Max on a mesh, Area on a sweep, Pca on other clouds
+  Auto,   ///< Input if the scan has normals; else Max on a mesh, Area on a sweep, Quadric on other clouds
   Input,  ///< those of the scan
   Geometric,
   Area,
   Angle,
-  Max,  ///< these four from the faces, see NormalWeights
-  Pca   ///< planes fitted to the neighbours
+  Max,      ///< these four from the faces, see NormalWeights
+  Pca,      ///< of planes fitted to the neighbours
+  Quadric,  ///< of quadrics fitted to the neighbours, see NormalFit
 };
 
 /// How the sign of normals is chosen.
@@ -51,7 +52,7 @@ enum class NormalsKind {
 /// hold that know none, only if the cloud is organised or lies within 45 degrees of the z axis, as that of a depth
 /// camera, or else within one diagonal and not below the middle of terrain.
 enum class Orientation {
-  Auto,       ///< Input for the scan's normals, AsFaces for normals from faces; for planes fitted to a cloud Viewpoint
+  Auto,       ///< Input for the scan's normals, AsFaces for normals from faces; for those fitted to a cloud Viewpoint
               ///< if one is given or that of the scan is credible, else Up where most planes are flatter than 45
               ///< degrees, else Consistent
   Input,      ///< as the scan's normals are
@@ -71,11 +72,11 @@ struct SurfaceOptions {
   GridOptions grid;               ///< cuts of Grid
   GridOptions spinning = kSpinningCuts;
   DelaunayOptions delaunay;
-  /// Of the fitted planes, the point included. Unless it or the radius is given, 24, and all points within
+  /// Of the fitted planes or quadrics, the point included. Unless it or the radius is given, 24, and all points within
   /// `kNormalShare` of the radius that noise asks for (balanced_radius) where that is larger than five spacings.
   std::optional<int> normal_neighbours;
-  std::optional<double> normal_radius;    ///< of the fitted planes; where it holds too few points, the neighbours
-  std::optional<double> measured_radius;  ///< smallest radius of a ball, if known: planes are not made larger for noise
+  std::optional<double> normal_radius;    ///< of the fits; where it holds too few points, the neighbours
+  std::optional<double> measured_radius;  ///< smallest radius of a ball, if known: fits are not made larger for noise
   int averaging_passes = 0;               ///< see average_normals
 };
 
@@ -95,8 +96,8 @@ struct Surface {
   std::size_t cut_faces = 0;  ///< of Grid, Spinning and Delaunay: beyond a gap or a depth edge, or grazing
   std::size_t at_sensor = 0;  ///< see SpinningSweep
   NormalAgreement agreement;  ///< of the normals of a cloud, over the sides of its faces if it has any
-  CloudScale scale;           ///< of the points that planes were fitted to; NaN otherwise
-  int normal_neighbours = 0;  ///< of those planes
+  CloudScale scale;           ///< of the points that planes or quadrics were fitted to; NaN otherwise
+  int normal_neighbours = 0;  ///< of those fits
   double normal_radius = 0;   ///< likewise, 0 for the nearest neighbours alone
   int averaging_passes = 0;   ///< over the normals
   double spacing = kNaN;      ///< median length of the edges of the faces; without faces that to the nearest point
@@ -108,7 +109,7 @@ struct Surface {
 Surface make_surface(const Scan& scan, const SurfaceOptions& options, const Execution& run = {});
 
 /// Radius of the measuring ball where the user gives none, rounded to two digits: kAutomaticRadius times the spacing;
-/// where planes were fitted to noisy points, the radius at which the noise of the mean curvature equals its bias if
+/// where normals were fitted to noisy points, the radius at which the noise of the mean curvature equals its bias if
 /// that is larger (balanced_radius), at most kLargestRadius times the spacing. A smaller ball would be noise, a larger
 /// one would blur more than it calms. NaN if the spacing is not known.
 inline constexpr double kAutomaticRadius = 5, kLargestRadius = 30;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "kappa/core/types.hpp"
+
+namespace kappa {
+
+/// Two axes in a plane and its normal, as columns.
+using Frame = Mat3;
+
+/// A frame whose third axis is `normal`, of unit length.
+Frame frame_around(const Vec3& normal);
+
+/// Least squares of the height c0 + c1 x + c2 y + c3 x^2/2 + c4 x y + c5 y^2/2 over the plane of a frame; all lengths
+/// in units of `unit`, of the order of the distance of the points.
+class QuadricFit {
+ public:
+  using Vec6 = Eigen::Matrix<double, 6, 1>;
+  using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+  QuadricFit(const Frame& frame, double unit) : frame_(frame), unit_(unit) {}
+
+  /// Adds the point at `d` from the place of the frame.
+  void add(const Vec3& d);
+
+  /// Adds many points, by coordinates: x[i], y[i], z[i].
+  void add(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);
+
+  /// Variance of the residuals, a length squared; NaN for no more points than coefficients.
+  double variance() const;
+
+  /// Mean curvature over the place of the frame, and its variance for noise of variance 1.
+  std::pair<double, double> mean_curvature() const;
+
+  /// Unit normal over the place of the frame, on the side of its third axis. The zero vector where the points do not
+  /// fix a quadric: fewer than kLeastForQuadric, or its slopes more than kUncertain times as uncertain (by standard
+  /// deviation) as those of a plane through the same points.
+  Vec3 normal() const;
+  Vec3 normal_or(const Vec3& plane) const;  ///< the other where there is none
+  static constexpr std::size_t kLeastForQuadric = 12;
+  static constexpr double kUncertain = 10;
+
+ private:
+  Frame frame_;
+  double unit_;
+  Mat6 normal_ = Mat6::Zero();
+  Vec6 right_ = Vec6::Zero();
+  double square_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// The larger of two neighbourhoods if its residuals have the same variance (up to a factor of 1.5) and so come of noise,
+/// which it calms; else the smaller, from which the surface departs less.
+const QuadricFit& better_fit(const QuadricFit& smaller, const QuadricFit& larger);
+
+}  // namespace kappa
