@@ -31,7 +31,7 @@ std::array<std::size_t, kLabelCount> count_labels(const std::vector<Label>& labe
 
 /// What planes or quadrics were fitted to.
 std::string extent_of_fits(const Surface& s) {
-  if (s.normals != NormalsKind::Pca && s.normals != NormalsKind::Quadric) return "";
+  if (s.normal_neighbours == 0 || from_faces(s.normals)) return "";
   const std::string nearest = std::to_string(s.normal_neighbours) + " nearest";
   return s.normal_radius > 0 ? " of all points within " + short_number(s.normal_radius) + " or the " + nearest
                              : " of the " + nearest;

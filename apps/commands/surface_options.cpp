@@ -88,8 +88,8 @@ void declare_normals(CLI::App& command, SurfaceArguments& options) {
   SurfaceOptions& s = options.surface;
   command
       .add_option("--normals", s.normals,
-                  "auto, input, geometric, area, angle, max (from faces), pca, quadric (planes, "
-                  "quadrics fitted to the points)")
+                  "auto, input, geometric, area, angle, max (from faces), pca, quadric, robust "
+                  "(planes, quadrics fitted to the points; resisting edges and outliers)")
       ->transform(one_of<NormalsKind>({{"auto", NormalsKind::Auto},
                                        {"input", NormalsKind::Input},
                                        {"geometric", NormalsKind::Geometric},
@@ -97,15 +97,16 @@ void declare_normals(CLI::App& command, SurfaceArguments& options) {
                                        {"angle", NormalsKind::Angle},
                                        {"max", NormalsKind::Max},
                                        {"pca", NormalsKind::Pca},
-                                       {"quadric", NormalsKind::Quadric}}))
+                                       {"quadric", NormalsKind::Quadric},
+                                       {"robust", NormalsKind::Robust}}))
       ->option_text("KIND=auto");
   command
       .add_option("--normal-neighbours", s.normal_neighbours,
-                  "Points that pca and quadric fit to (24, and more where the points are noisy)")
+                  "Points that pca, quadric and robust fit to (24, and more where the points are noisy)")
       ->check(CLI::Range(3, 100000));
   command
       .add_option("--normal-radius", s.normal_radius,
-                  "Radius within which pca and quadric fit, where it holds enough points (chosen from the noise)")
+                  "Radius within which they fit, where it holds enough points (chosen from the noise)")
       ->check(CLI::PositiveNumber);
   command.add_option("--smooth", s.averaging_passes, "Averaging passes over the normals")
       ->check(CLI::Range(0, 100000))

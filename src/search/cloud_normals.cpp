@@ -10,6 +10,7 @@
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/ball_sum.hpp"
 #include "quadric_fit.hpp"
+#include "robust_normals.hpp"
 
 namespace kappa {
 namespace {
@@ -85,6 +86,18 @@ void fit_nearest(const std::vector<Vec3>& distinct, const NormalFitOptions& opti
   });
 }
 
+Normals normals_of_distinct(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run) {
+  if (options.fit == NormalFit::Robust) return robust_normals(points, options, run);
+  Normals normals(points.size(), Vec3::Zero());
+  const bool balls = options.radius > 0;
+  if (balls) {
+    const auto least = static_cast<std::size_t>(options.neighbours);
+    normals = ball_normals(points, options.radius, least, options.fit, stage(run, 0.0, 0.9));
+  }
+  fit_nearest(points, options, balls ? stage(run, 0.9, 1.0) : run, normals);
+  return normals;
+}
+
 void check(const NormalFitOptions& options) {
   if (options.neighbours < 3)
     throw Error(ErrorCode::InvalidArgument,
@@ -124,11 +137,7 @@ Normals fitted_normals(const std::vector<Vec3>& points, const NormalFitOptions& 
     position[i] = static_cast<Index>(distinct.size());
     distinct.push_back(points[i]);
   }
-  Normals of_distinct(distinct.size(), Vec3::Zero());
-  if (options.radius > 0)
-    of_distinct = ball_normals(distinct, options.radius, static_cast<std::size_t>(options.neighbours), options.fit,
-                               stage(run, 0.0, 0.9));
-  fit_nearest(distinct, options, options.radius > 0 ? stage(run, 0.9, 1.0) : run, of_distinct);
+  const Normals of_distinct = normals_of_distinct(distinct, options, run);
   Normals normals(points.size(), Vec3::Zero());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (representative[i] != kNoIndex) normals[i] = of_distinct[position[representative[i]]];

@@ -21,8 +21,8 @@ struct Moments {
 
   void add(std::size_t lane, double x, double y, double z) {
     const double xx = x * x, xy = x * y, yy = y * y;
-    const std::array<double, kPlane> p{1,      x,       y,       xx,      xy,      yy,      xx * x, xx * y,
-                                       x * yy, yy * y,  xx * xx, xx * xy, xx * yy, xy * yy, yy * yy};
+    const std::array<double, kPlane> p{1,      x,      y,       xx,      xy,      yy,      xx * x, xx * y,
+                                       x * yy, yy * y, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy};
     for (std::size_t i = 0; i < kPlane; ++i) plane[i][lane] += p[i];
     for (std::size_t i = 0; i < kHeight; ++i) height[i][lane] += z * p[i];
     square[lane] += z * z;
@@ -68,11 +68,11 @@ void QuadricFit::add(const std::vector<double>& x, const std::vector<double>& y,
   std::array<double, Moments::kPlane> s{};
   for (std::size_t i = 0; i < s.size(); ++i) s[i] = total(m.plane[i]);
   Mat6 products;
-  products << s[0], s[1], s[2], s[3] / 2, s[4], s[5] / 2,    //
-      s[1], s[3], s[4], s[6] / 2, s[7], s[8] / 2,            //
-      s[2], s[4], s[5], s[7] / 2, s[8], s[9] / 2,            //
+  products << s[0], s[1], s[2], s[3] / 2, s[4], s[5] / 2,             //
+      s[1], s[3], s[4], s[6] / 2, s[7], s[8] / 2,                     //
+      s[2], s[4], s[5], s[7] / 2, s[8], s[9] / 2,                     //
       s[3] / 2, s[6] / 2, s[7] / 2, s[10] / 4, s[11] / 2, s[12] / 4,  //
-      s[4], s[7], s[8], s[11] / 2, s[12], s[13] / 2,         //
+      s[4], s[7], s[8], s[11] / 2, s[12], s[13] / 2,                  //
       s[5] / 2, s[8] / 2, s[9] / 2, s[12] / 4, s[13] / 2, s[14] / 4;
   normal_ += products;
   for (int i = 0; i < 6; ++i) right_[i] += total(m.height[static_cast<std::size_t>(i)]) * (i == 3 || i == 5 ? 0.5 : 1);

@@ -53,8 +53,8 @@ class QuadricFit {
   std::size_t count_ = 0;
 };
 
-/// The larger of two neighbourhoods if its residuals have the same variance (up to a factor of 1.5) and so come of noise,
-/// which it calms; else the smaller, from which the surface departs less.
+/// The larger of two neighbourhoods if its residuals have the same variance (up to a factor of 1.5) and so come of
+/// noise, which it calms; else the smaller, from which the surface departs less.
 const QuadricFit& better_fit(const QuadricFit& smaller, const QuadricFit& larger);
 
 }  // namespace kappa

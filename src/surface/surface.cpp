@@ -53,9 +53,14 @@ double automatic_normal_radius(const CloudScale& scale, const std::optional<doub
   return std::min(kNormalShare * balanced, measured_radius.value_or(balanced));
 }
 
+NormalFit fit_of(NormalsKind kind) {
+  if (kind == NormalsKind::Pca) return NormalFit::Plane;
+  return kind == NormalsKind::Robust ? NormalFit::Robust : NormalFit::Quadric;
+}
+
 Normals fitted_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
   NormalFitOptions fit;
-  fit.fit = s.normals == NormalsKind::Pca ? NormalFit::Plane : NormalFit::Quadric;
+  fit.fit = fit_of(s.normals);
   fit.neighbours = options.normal_neighbours.value_or(fit.neighbours);
   s.scale = measure_scale(scan.points, stage(run, 0.0, 0.2));
   if (options.normal_radius) {
@@ -298,6 +303,8 @@ const char* name(NormalsKind kind) {
       return "pca";
     case NormalsKind::Quadric:
       return "quadric";
+    case NormalsKind::Robust:
+      return "robust";
   }
   return "";
 }

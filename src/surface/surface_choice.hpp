@@ -17,9 +17,6 @@ struct SurfaceChoice {
 /// @throws Error InvalidArgument if the options contradict each other or the scan lacks what they ask for.
 SurfaceChoice choose_surface(const Scan& scan, const SurfaceOptions& options);
 
-/// Whether normals of this kind are made of faces.
-bool from_faces(NormalsKind kind);
-
 /// Whether faces of this kind have a side of their own, not that of given normals.
 bool has_turned_faces(SurfaceKind kind);
 

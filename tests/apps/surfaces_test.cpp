@@ -162,5 +162,17 @@ TEST(Surfaces, NormalsOfRandomSignAreWarnedOf) {
   EXPECT_LT(mean_errors(f.file("o.ply"), f.file("t.ply")).p50, 0.1);
 }
 
+TEST(Program, NamesTheFitOfTheNormals) {
+  const Folder f;
+  ASSERT_EQ(run({"generate", "torus", f.file("t.ply"), "--points", "3000"}).exit_code, 0);
+  for (const char* fit : {"pca", "quadric", "robust"}) {
+    const Outcome o = run({"curvature", f.file("t.ply"), f.file("o.ply"), "--radius", "0.5", "--normals", fit,
+                           "--normal-neighbours", "20", "--orient", "mst"});
+    EXPECT_EQ(o.exit_code, 0) << o.err;
+    EXPECT_NE(o.out.find(std::string("normals     ") + fit + " of the 20 nearest"), std::string::npos) << o.out;
+    EXPECT_LT(mean_errors(f.file("o.ply"), f.file("t.ply")).p50, 0.05) << fit;
+  }
+}
+
 }  // namespace
 }  // namespace kappa::apps

@@ -8,6 +8,7 @@
 #include <random>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 
 #include "kappa/core/error.hpp"
@@ -190,6 +191,80 @@ TEST(FittedNormals, AreThoseOfPlanesWhereQuadricsAreNotFixed) {
   for (const auto& points : {strip, few}) {
     EXPECT_EQ(fitted_normals(points, {24, 0, NormalFit::Quadric}), fitted_normals(points, {24, 0, NormalFit::Plane}));
   }
+}
+
+/// Two planes that meet at a right angle on the y axis, with noise across them, and some points 0.3 to 2 above them.
+struct Roof {
+  std::vector<Vec3> points;
+  Normals truth;
+};
+
+Roof noisy_roof(double noise, double outliers) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> place(-20, 20), unit(0, 1);
+  std::normal_distribution<double> deviate(0, noise);
+  Roof roof;
+  for (int i = 0; i < 4000; ++i) {
+    const double along = place(random), down = place(random);
+    const Vec3 side(down < 0 ? -1 : 1, 0, 1), slope(std::copysign(1.0, down), 0, -1);
+    const double off = unit(random) < outliers ? 0.3 + 1.7 * unit(random) : deviate(random);
+    roof.truth.push_back(side.normalized());
+    roof.points.push_back(Vec3(0, along, 0) + std::abs(down) * slope.normalized() + off * roof.truth.back());
+  }
+  return roof;
+}
+
+/// Share of the points between `from` and `to` from the ridge whose normals are within 5 degrees of the truth.
+double share_right(const Roof& roof, const Normals& normals, double from, double to) {
+  double all = 0, right = 0;
+  for (std::size_t i = 0; i < roof.truth.size(); ++i) {
+    const double distance = std::abs(roof.points[i].x()) * std::sqrt(2.0);
+    if (distance < from || distance > to || std::abs(roof.points[i].y()) > 18) continue;
+    ++all;
+    right += std::abs(normals[i].dot(roof.truth[i])) > std::cos(5 * kPi / 180);
+  }
+  return right / all;
+}
+
+TEST(FittedNormals, RobustOnesResistAnEdge) {
+  const Roof roof = noisy_roof(0.02, 0);
+  const Normals robust = fitted_normals(roof.points, {24, 0, NormalFit::Robust});
+  const Normals planes = fitted_normals(roof.points, {24, 0, NormalFit::Plane});
+  const Normals quadrics = fitted_normals(roof.points, {24, 0, NormalFit::Quadric});
+  // The points are 0.63 apart, 24 of them reach 1.75 far.
+  EXPECT_GT(share_right(roof, robust, 0.1, 1.5), 0.97);
+  EXPECT_LT(share_right(roof, planes, 0.1, 1.5), 0.5);
+  EXPECT_LT(share_right(roof, quadrics, 0.1, 1.5), 0.5);
+  EXPECT_GT(share_right(roof, robust, 3, 18), 0.999);
+}
+
+TEST(FittedNormals, RobustOnesResistOutliers) {
+  const Roof roof = noisy_roof(0.02, 0.1);
+  const Normals robust = fitted_normals(roof.points, {24, 0, NormalFit::Robust});
+  const Normals planes = fitted_normals(roof.points, {24, 0, NormalFit::Plane});
+  const double wrong = 1 - share_right(roof, robust, 0.1, 18), of_planes = 1 - share_right(roof, planes, 0.1, 18);
+  EXPECT_LT(wrong, 0.03);
+  EXPECT_LT(wrong, 0.1 * of_planes);
+  Execution three;
+  three.threads = 3;
+  EXPECT_EQ(fitted_normals(roof.points, {24, 0, NormalFit::Robust}, three), robust);
+}
+
+TEST(FittedNormals, RobustOnesOfASmoothSurfaceAreThoseOfQuadrics) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> deviate;
+  std::vector<Vec3> points;
+  for (int i = 0; i < 3000; ++i) points.push_back(Vec3(deviate(random), deviate(random), deviate(random)).normalized());
+  const Normals robust = fitted_normals(points, {24, 0, NormalFit::Robust});
+  const Normals planes = fitted_normals(points, {24, 0, NormalFit::Plane});
+  const double quadric_error = 2e-3, plane_error = 1e-2;  // 24 neighbours reach 0.18 far
+  std::size_t as_quadrics = 0, as_planes = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    as_quadrics += points[i].cross(robust[i]).norm() < quadric_error;
+    as_planes += points[i].cross(planes[i]).norm() > plane_error;
+  }
+  EXPECT_GT(as_quadrics, 0.99 * points.size());
+  EXPECT_GT(as_planes, 0.5 * points.size());
 }
 
 TEST(Orientation, TurnsNormalsToTheSideAsked) {

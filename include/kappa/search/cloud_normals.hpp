@@ -22,7 +22,12 @@ enum class NormalFit {
   /// the neighbourhood grows, up to twice the radius or four times the neighbours, unless the variance of the residuals
   /// grows by half with it. Where the neighbours do not fix a quadric, fewer than 12 or in a line, the plane takes its
   /// place.
-  Quadric
+  Quadric,
+  /// Resists edges and outliers. Planes are fitted by Tukey's weights; every point takes the plane, among those of its
+  /// neighbours, that fits its points best and passes nearest, so that beside an edge it is that of the side the point
+  /// lies on (after the filter of Kuwahara et al., 1976), and refits it to its own neighbours near that plane. The
+  /// normal is that of their quadric where they are nearly all, else of their plane. Costs some five times as much.
+  Robust
 };
 
 struct NormalFitOptions {

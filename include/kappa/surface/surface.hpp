@@ -44,7 +44,11 @@ enum class NormalsKind {
   Max,      ///< these four from the faces, see NormalWeights
   Pca,      ///< of planes fitted to the neighbours
   Quadric,  ///< of quadrics fitted to the neighbours, see NormalFit
+  Robust    ///< likewise, but of those on the same side of an edge, without outliers
 };
+
+/// Whether normals of that kind come from the faces of the surface: Geometric, Area, Angle, Max.
+bool from_faces(NormalsKind kind);
 
 /// How the sign of normals is chosen.
 ///
