@@ -145,6 +145,9 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
   options.ball = arguments.ball;
   options.vertex_limit = arguments.limit;
   std::vector<CurvatureField> fields = estimate_curvatures(*measured.balls, measured.surface.u, options, run);
+  if (arguments.min_coverage > 0) {
+    for (CurvatureField& field : fields) mark_borders(field, arguments.min_coverage);
+  }
   turn_directions(measured.filtered.heights, fields);
   return fields;
 }
@@ -155,6 +158,7 @@ namespace {
 const char* meaningless_for_points(const MeasureArguments& arguments) {
   if (!arguments.radii.empty()) return "--radius";
   if (arguments.order) return "--order";
+  if (arguments.min_coverage > 0) return "--min-coverage";
   return arguments.refine > 0 ? "--refine" : nullptr;
 }
 

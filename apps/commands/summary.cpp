@@ -106,6 +106,7 @@ void print_field(const Measured& m, const CurvatureField& field) {
   }
   if (s.empty) std::printf(", %zu with no face in the ball", s.empty);
   if (s.degenerate) std::printf(", %zu with vanishing area", s.degenerate);
+  if (s.border) std::printf(", %zu at a border", s.border);
   if (s.invalid) std::printf(", %zu without position or normal", s.invalid);
   std::printf("\n  %-20s %12s %12s %12s\n", "percentile", "1 %", "50 %", "99 %");
   for (const NamedPercentiles& n : percentiles_of(s))
@@ -173,6 +174,7 @@ Json field_json(const CurvatureField& field) {
       .add("valid", s.valid)
       .add("empty", s.empty)
       .add("degenerate", s.degenerate)
+      .add("border", s.border)
       .add("invalid", s.invalid)
       .add("percentiles", percentiles_json(s));
 }

@@ -170,6 +170,12 @@ void declare(CLI::App& command, MeasureArguments& options) {
                   "Split every face in four N times on a curved patch before it is measured; for exact normals alone")
       ->check(CLI::Range(0, kMostRefinements))
       ->capture_default_str();
+  command
+      .add_option("--min-coverage", options.min_coverage,
+                  "No curvature where faces cover less of the ball than this share of it, as at borders and holes: 0 "
+                  "keeps all, 0.5 is a straight border")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   command.add_option("--ball", options.ball, "Cut faces by exact density or by area fraction: exact, fraction")
       ->transform(
           one_of<BallDefinition>({{"exact", BallDefinition::ExactDensity}, {"fraction", BallDefinition::AreaFraction}}))
@@ -203,10 +209,13 @@ void check_measure(const MeasureArguments& arguments) {
   const std::vector<double> radii = parse_radii(arguments.radii);
   if (arguments.refine > 0 && arguments.quads == QuadMeasures::Bilinear)
     throw CLI::ValidationError("--refine", "splits triangles; leave --quads bilinear out");
+  const bool at_zero = std::find(radii.begin(), radii.end(), 0.0) != radii.end();
+  if (arguments.min_coverage > 0 && at_zero)
+    throw CLI::ValidationError("--min-coverage", "needs balls: it has no meaning at radius 0");
   if (!arguments.order) return;
   if (arguments.own_scales())
     throw CLI::ValidationError("--order", "is chosen for every point with --radius auto-per-point; leave it out");
-  if (*arguments.order > 1 && std::find(radii.begin(), radii.end(), 0.0) != radii.end())
+  if (*arguments.order > 1 && at_zero)
     throw CLI::ValidationError("--order", "needs balls: above 1 it has no meaning at radius 0");
 }
 

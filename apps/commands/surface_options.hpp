@@ -48,6 +48,7 @@ struct MeasureArguments {
   Precision precision = Precision::Double;
   std::optional<int> order;  ///< of the bias that is cancelled; 1 if not given
   int refine = 0;            ///< see measure_refined
+  double min_coverage = 0;   ///< see mark_borders
 
   bool own_scales() const { return radii.size() == 1 && radii.front() == kAutoPerPoint; }
 };

@@ -240,6 +240,21 @@ double typical_radius(const CurvatureField& field) {
   return percentile(radii, 50);
 }
 
+void mark_borders(CurvatureField& field, double least) {
+  if (!(least >= 0 && least <= 1))
+    throw Error(ErrorCode::InvalidArgument,
+                "least coverage = " + std::to_string(least) + ": give the share of the ball to be filled, 0 to 1");
+  if (field.radius == 0)
+    throw Error(ErrorCode::InvalidArgument,
+                "least coverage: at radius 0 there is no ball to be covered; give a radius");
+  for (CurvatureSample& s : field.samples) {
+    if (s.k.status != PointStatus::Valid || s.coverage >= least) continue;
+    s.k = Curvatures();
+    s.k.status = PointStatus::Border;
+    s.std_error = kNaN;
+  }
+}
+
 FieldSummary summarise(const CurvatureField& field) {
   FieldSummary summary;
   std::vector<double> mean, gaussian, k_min, k_max;
@@ -256,6 +271,9 @@ FieldSummary summarise(const CurvatureField& field) {
         break;
       case PointStatus::Invalid:
         ++summary.invalid;
+        break;
+      case PointStatus::Border:
+        ++summary.border;
         break;
     }
     if (s.k.status != PointStatus::Valid) continue;

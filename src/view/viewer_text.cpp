@@ -18,6 +18,8 @@ const char* status_name(PointStatus status) {
       return "degenerate: the corrected area vanishes";
     case PointStatus::Invalid:
       return "invalid point or normal";
+    case PointStatus::Border:
+      return "border: too little of the ball is covered";
   }
   return "unknown";
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "kappa/core/error.hpp"
@@ -265,6 +266,33 @@ TEST(EstimateCurvatures, Refuses) {
     options.radii = radii;
     EXPECT_THROW(validate(options), Error);
   }
+}
+
+TEST(MarkBorders, TakesAwayWhatIsMeasuredBesideItsCentre) {
+  const Shape square = shapes::square(21);
+  const Mesh& mesh = square.mesh;
+  CurvatureOptions options;
+  options.radii = {0.15};  // three edges
+  CurvatureField field = estimate_curvatures(mesh, square.normals, options)[0];
+  const CurvatureField before = field;
+  mark_borders(field, 0.99);
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < field.samples.size(); ++i) {
+    const CurvatureSample& s = field.samples[i];
+    const Vec3& x = mesh.vertices[i];
+    const double to_border = std::min({x.x(), x.y(), 1 - x.x(), 1 - x.y()});
+    inside += to_border > 0.14;
+    EXPECT_EQ(s.k.status, to_border > 0.14 ? PointStatus::Valid : PointStatus::Border) << to_border;
+    EXPECT_EQ(std::isnan(s.k.mean), s.k.status == PointStatus::Border);
+    EXPECT_EQ(s.coverage, before.samples[i].coverage);
+    EXPECT_EQ(s.mu0, before.samples[i].mu0);
+  }
+  EXPECT_EQ(inside, 225u);
+  EXPECT_EQ(summarise(field).border, 441u - summarise(field).valid);
+  EXPECT_THROW(mark_borders(field, 1.5), Error);
+  EXPECT_THROW(mark_borders(field, kNaN), Error);
+  field.radius = 0;
+  EXPECT_THROW(mark_borders(field, 0.5), Error);
 }
 
 TEST(Summarise, CountsAndPercentiles) {

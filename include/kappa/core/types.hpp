@@ -32,7 +32,8 @@ enum class PointStatus : std::uint8_t {
   Valid = 0,
   Empty = 1,       ///< no face in the ball
   Degenerate = 2,  ///< the corrected area mu0 vanishes: |mu0| <= 1e-12 area
-  Invalid = 3      ///< the point or its normal is missing, infinite or NaN
+  Invalid = 3,     ///< the point or its normal is missing, infinite or NaN
+  Border = 4       ///< the faces fill less of the ball than was asked for
 };
 
 /// True if all three coordinates are finite.

@@ -94,9 +94,14 @@ CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const No
 std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run = {});
 
+/// Takes the curvatures of the valid points away, with PointStatus::Border, whose coverage is less than `least`: there
+/// the ball reaches over a border or a hole and measures a place beside its centre. Measures, area and coverage stay.
+/// @throws Error InvalidArgument if `least` is not between 0 and 1, or the field was not measured in balls.
+void mark_borders(CurvatureField& field, double least);
+
 /// Counts of each PointStatus, and percentiles of the curvatures: what a summary shows.
 struct FieldSummary {
-  std::size_t valid = 0, empty = 0, degenerate = 0, invalid = 0;
+  std::size_t valid = 0, empty = 0, degenerate = 0, invalid = 0, border = 0;
   /// 1st, 50th and 99th percentile of the valid samples; NaN if there is none.
   struct Percentiles {
     double p1 = kNaN, p50 = kNaN, p99 = kNaN;
