@@ -35,6 +35,7 @@ if(KAPPA_PCL OR (KAPPA_IO AND KAPPA_TESTS))
   find_library(KAPPA_PCL_FEATURES_LIBRARY pcl_features REQUIRED)
   find_library(KAPPA_PCL_IO_LIBRARY pcl_io REQUIRED)
   find_library(KAPPA_PCL_SEGMENTATION_LIBRARY pcl_segmentation REQUIRED)
+  find_library(KAPPA_PCL_SURFACE_LIBRARY pcl_surface REQUIRED)
 endif()
 
 if(KAPPA_TESTS)

@@ -6,6 +6,7 @@
 
 #include "kappa/mesh/orders.hpp"
 #include "kappa/mesh/refine.hpp"
+#include "kappa/pcl/greedy.hpp"
 
 namespace kappa::app {
 namespace {
@@ -39,7 +40,8 @@ void declare_kind(CLI::App& command, SurfaceOptions& s) {
   command
       .add_option(
           "--surface", s.surface,
-          "Faces: auto, faces (of the file), umbrella, grid (organised cloud), delaunay (in plan), spinning (sweep); "
+          "Faces: auto, faces (of the file), umbrella, grid (organised cloud), delaunay (in plan), spinning (sweep), "
+          "greedy (PCL's, for comparison); "
           "or triangles of each point alone: uniform, independent, hexagram, avg-hexagram")
       ->transform(one_of<SurfaceKind>({{"auto", SurfaceKind::Auto},
                                        {"faces", SurfaceKind::Faces},
@@ -47,6 +49,7 @@ void declare_kind(CLI::App& command, SurfaceOptions& s) {
                                        {"grid", SurfaceKind::Grid},
                                        {"delaunay", SurfaceKind::Delaunay},
                                        {"spinning", SurfaceKind::Spinning},
+                                       {"greedy", SurfaceKind::Greedy},
                                        {"uniform", SurfaceKind::Uniform},
                                        {"independent", SurfaceKind::Independent},
                                        {"hexagram", SurfaceKind::Hexagram},
@@ -129,6 +132,9 @@ void declare(CLI::App& command, SurfaceArguments& options) {
 
 SurfaceOptions surface_options(const SurfaceArguments& arguments) {
   SurfaceOptions options = arguments.surface;
+  options.greedy = [](const Vec3& origin, const std::vector<Vec3>& points, const Normals& u) {
+    return greedy_surface(origin, points, u);
+  };
   for (GridOptions* cuts : {&options.grid, &options.spinning}) {
     cuts->max_depth_jump = arguments.max_depth_jump.value_or(cuts->max_depth_jump);
     cuts->max_incidence = arguments.max_incidence.value_or(cuts->max_incidence);

@@ -139,13 +139,17 @@ void use_turned_faces(const Scan& scan, const SurfaceOptions& options, const Sur
   orient(scan, choice, s);
 }
 
-/// Stars in the tangent planes; normals from faces then take the place of those that the planes were made of.
-void use_umbrella(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
-                  const Execution& run) {
+/// Faces in the tangent planes; normals from faces then take the place of those that the planes were made of.
+void use_planned_faces(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
+                       const Execution& run) {
   s.u = point_normals(scan, options, s, stage(run, 0.0, 0.5));
   orient(scan, choice, s);
-  const int neighbours = options.neighbours.value_or(UmbrellaOptions{}.neighbours);
-  take(umbrella_surface(scan.origin, scan.points, s.u, {neighbours}, stage(run, 0.5, 1.0)), s);
+  if (s.kind == SurfaceKind::Greedy) {
+    take(options.greedy(scan.origin, scan.points, s.u), s);
+  } else {
+    const int neighbours = options.neighbours.value_or(UmbrellaOptions{}.neighbours);
+    take(umbrella_surface(scan.origin, scan.points, s.u, {neighbours}, stage(run, 0.5, 1.0)), s);
+  }
   if (from_faces(s.normals)) s.u = vertex_normals(s.mesh, weights_of(s.normals));
 }
 
@@ -161,7 +165,8 @@ void use_points(const Scan& scan, const SurfaceOptions& options, const SurfaceCh
 void use(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
          const Execution& run) {
   if (has_turned_faces(s.kind)) return use_turned_faces(scan, options, choice, s, run);
-  if (s.kind == SurfaceKind::Umbrella) return use_umbrella(scan, options, choice, s, run);
+  if (s.kind == SurfaceKind::Umbrella || s.kind == SurfaceKind::Greedy)
+    return use_planned_faces(scan, options, choice, s, run);
   use_points(scan, options, choice, s, run);
 }
 
@@ -280,6 +285,8 @@ const char* name(SurfaceKind kind) {
       return "delaunay";
     case SurfaceKind::Spinning:
       return "spinning";
+    case SurfaceKind::Greedy:
+      return "greedy";
     default:
       return "";
   }

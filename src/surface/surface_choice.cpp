@@ -119,11 +119,15 @@ void choose_orientation(const SurfaceOptions& options, bool seen, SurfaceChoice&
   }
 }
 
-void check_kind(const Scan& scan, const SurfaceChoice& c) {
+void check_kind(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& c) {
   if (c.kind == SurfaceKind::Faces && !scan.is_mesh())
     refuse("surface = faces, but the data has no faces; use umbrella for a cloud");
   if (c.kind == SurfaceKind::Grid && !scan.is_organised())
     refuse("surface = grid, but the data is not organised in rows; use umbrella, or spinning for a sweep");
+  if (c.kind == SurfaceKind::Greedy && !options.greedy)
+    refuse(
+        "surface = greedy needs a function that makes the faces (options.greedy); give greedy_surface of kappa's pcl "
+        "layer, or use umbrella");
   const bool seen = c.kind == SurfaceKind::Grid || c.kind == SurfaceKind::Spinning;
   if (seen && !c.viewpoint)
     refuse(std::string("surface = ") + name(c.kind) +
@@ -162,7 +166,7 @@ SurfaceChoice choose_surface(const Scan& scan, const SurfaceOptions& options) {
   choose_kind(scan, options, seen, c);
   choose_normals(scan, options, c);
   choose_orientation(options, seen, c);
-  check_kind(scan, c);
+  check_kind(scan, options, c);
   check_normals(scan, options, c);
   check_orientation(c);
   return c;

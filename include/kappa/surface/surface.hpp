@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,7 @@ enum class SurfaceKind {
   Grid,      ///< grid_surface of an organised cloud
   Delaunay,  ///< delaunay_surface of the points
   Spinning,  ///< spinning_surface of a sweep, by its field "ring" if it has one
+  Greedy,    ///< SurfaceOptions::greedy of the points
   Uniform,   ///< these four: no faces, the curvatures are those of random_triangle_curvatures
   Independent,
   Hexagram,
@@ -76,6 +78,8 @@ struct SurfaceOptions {
   GridOptions grid;               ///< cuts of Grid
   GridOptions spinning = kSpinningCuts;
   DelaunayOptions delaunay;
+  /// What Greedy calls with origin, points and normals: `greedy_surface` of kappa/pcl/greedy.hpp, from a layer above.
+  std::function<CloudSurface(const Vec3&, const std::vector<Vec3>&, const Normals&)> greedy;
   /// Of the fitted planes or quadrics, the point included. Unless it or the radius is given, 24, and all points within
   /// `kNormalShare` of the radius that noise asks for (balanced_radius) where that is larger than five spacings.
   std::optional<int> normal_neighbours;
