@@ -2,6 +2,7 @@
 #include "pipeline.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kappa/core/error.hpp"
 #include "kappa/io/las.hpp"
@@ -78,7 +79,10 @@ void declare_stages(CLI::App& command, CurvatureArguments& arguments) {
   declare(command, arguments.run);
 }
 
-SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages) {
+namespace {
+
+/// The same with everything but the scan in the order `r.order`.
+SurfaceResult make_sorted_surface(const SurfaceCommand& arguments, Stages& stages) {
   SurfaceOptions options = surface_options(arguments.surface);
   check(arguments.filters);
   SurfaceResult r;
@@ -88,9 +92,20 @@ SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& sta
   r.filtered = stages.run(
       "filter", [&](const Execution& run) { return filter(r.scan, arguments.input, arguments.filters, run); });
   if (options.viewpoint) options.viewpoint->z() *= r.filtered.heights.z_scale();
-  r.surface = stages.run("surface", [&](const Execution& run) { return make_surface(r.scan, options, run); });
+  r.surface = stages.run("surface", [&](const Execution& run) {
+    if (!triangle_scheme(options.surface)) r.order = PointOrder(r.scan);
+    return make_surface(r.order.changes() ? r.order.sorted(r.scan) : r.scan, options, run);
+  });
   r.filtered.restore(r.scan);
   if (arguments.surface.flip) r.surface.u = flipped(r.surface.u);
+  return r;
+}
+
+}  // namespace
+
+SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages) {
+  SurfaceResult r = make_sorted_surface(arguments, stages);
+  std::exchange(r.order, {}).restore(r.surface);
   return r;
 }
 
@@ -101,14 +116,21 @@ void need_faces(const SurfaceArguments& arguments, const std::string& command) {
                                               " needs faces, as of umbrella");
 }
 
-Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
-  Measured m;
+namespace {
+
+/// The command with the smallest radius that is asked for, if any.
+SurfaceCommand with_measured_radius(const CurvatureArguments& arguments) {
   SurfaceCommand command = arguments;
   for (const double radius : parse_radii(arguments.measure.radii)) {
     std::optional<double>& smallest = command.surface.surface.measured_radius;
     if (radius > 0) smallest = std::min(radius, smallest.value_or(radius));
   }
-  static_cast<SurfaceResult&>(m) = read_and_make_surface(command, stages);
+  return command;
+}
+
+Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, Stages& stages) {
+  Measured m;
+  static_cast<SurfaceResult&>(m) = std::move(surface);
   m.scan.fields = {};  // not written with the curvatures, and large
   m.balls = stages.run("measures", [&](const Execution& run) {
     const MeasureArguments& how = arguments.measure;
@@ -118,6 +140,12 @@ Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
   m.has_faces = true;
   m.dropped_faces = m.balls->triangles().dropped_faces;
   return m;
+}
+
+}  // namespace
+
+Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
+  return make_balls(read_and_make_surface(with_measured_radius(arguments), stages), arguments, stages);
 }
 
 std::vector<double> choose_radii(const CurvatureArguments& arguments, Measured& measured) {
@@ -162,6 +190,12 @@ const char* meaningless_for_points(const MeasureArguments& arguments) {
   return arguments.refine > 0 ? "--refine" : nullptr;
 }
 
+void restore_order(Measured& m) {
+  const PointOrder order = std::exchange(m.order, {});
+  order.restore(m.surface);
+  for (CurvatureField& field : m.fields) order.restore(field);
+}
+
 }  // namespace
 
 Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
@@ -176,10 +210,11 @@ Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
     const SurfaceOptions options = surface_options(arguments.surface);
     m.fields = stages.run("curvatures", [&](const Execution& run) { return measure_points(m, *scheme, options, run); });
   } else {
-    m = prepare(arguments, stages);
+    m = make_balls(make_sorted_surface(with_measured_radius(arguments), stages), arguments, stages);
     const std::vector<double> radii = choose_radii(arguments, m);
     m.fields =
         stages.run("curvatures", [&](const Execution& run) { return measure(m, arguments.measure, radii, run); });
+    restore_order(m);
   }
   check_fields(arguments.input, m.fields);
   return m;

@@ -8,6 +8,7 @@
 #include "filters.hpp"
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/mesh.hpp"
+#include "point_order.hpp"
 #include "progress.hpp"
 #include "surface_options.hpp"
 
@@ -33,8 +34,10 @@ void declare_stages(CLI::App& command, CurvatureArguments& arguments);
 struct SurfaceResult {
   Scan scan;  ///< what the filters left, in the coordinates of the file
   Filtered filtered;
-  Surface surface;  ///< its heights in the unit of x and y
+  Surface surface;   ///< its heights in the unit of x and y
+  PointOrder order;  ///< of the surface, where it is not that of the scan
 };
+/// Everything in the order of the file.
 SurfaceResult read_and_make_surface(const SurfaceCommand& arguments, Stages& stages);
 
 /// Refuses surfaces that have no faces, for a command that needs them.
@@ -43,7 +46,8 @@ void need_faces(const SurfaceArguments& arguments, const std::string& command);
 
 /// A scan with everything up to its curvatures.
 struct Measured : SurfaceResult {
-  std::unique_ptr<BallSum> balls;      ///< null if the surface has no faces, or they are needed no more
+  /// Null if the surface has no faces, or they are needed no more. From `measure_input`, in an order of its own.
+  std::unique_ptr<BallSum> balls;
   std::vector<CurvatureField> fields;  ///< one a radius; without faces one alone
   bool automatic = false;              ///< the radius was chosen from the spacing
   bool has_faces = false;              ///< else triangles of each point alone are measured
