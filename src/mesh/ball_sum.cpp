@@ -101,7 +101,7 @@ std::vector<Index> spatial_order(const std::vector<Vec3>& points) {
     const bool finite = is_finite(points[i]);
     keyed[i] = {finite ? morton_code(points[i], b) : ~std::uint64_t{0}, static_cast<Index>(i)};
   }
-  std::sort(keyed.begin(), keyed.end());
+  if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
   std::vector<Index> order(points.size());
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& entry) { return entry.second; });
   return order;

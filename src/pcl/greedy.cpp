@@ -70,7 +70,7 @@ std::vector<pcl::Vertices> triangulate(const Given& given, double radius, const 
 
 /// The corners in the points' own numbers, counter-clockwise seen from the side of their normals.
 std::vector<Index> turned(const pcl::Vertices& face, const Given& given, const std::vector<Vec3>& points,
-                            const Normals& normals) {
+                          const Normals& normals) {
   std::vector<Index> c(3);
   for (std::size_t i = 0; i < 3; ++i) c[i] = given.source[static_cast<std::size_t>(face.vertices[i])];
   const Vec3 across = (points[c[1]] - points[c[0]]).cross(points[c[2]] - points[c[0]]);

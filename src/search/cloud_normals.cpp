@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kappa/search/cloud_normals.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstring>
 #include <string>
 
+#include "../core/large_array.hpp"
 #include "ball_normals.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/ball_sum.hpp"
+#include "positions.hpp"
 #include "quadric_fit.hpp"
 #include "robust_normals.hpp"
 
@@ -17,8 +17,17 @@ namespace {
 
 constexpr std::size_t kBlock = 256;
 
-bool less_by_coordinates(const Vec3& a, const Vec3& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+/// Spreads equal positions to equal places, 0 and -0 alike.
+std::uint64_t hash_of(const Vec3& x) {
+  std::uint64_t h = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double value = x[axis] + 0.0;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    h = (h ^ bits) * 0x9e3779b97f4a7c15ULL;
+    h ^= h >> 32;
+  }
+  return h;
 }
 
 /// The plane of the neighbours, the point itself first.
@@ -74,27 +83,24 @@ class NearestFits {
 };
 
 /// Normals of those that have none yet, from their nearest neighbours.
-void fit_nearest(const std::vector<Vec3>& distinct, const NormalFitOptions& options, const Execution& run,
-                 Normals& normals) {
-  std::vector<Index> order = spatial_order(distinct);
-  order.erase(std::remove_if(order.begin(), order.end(), [&](Index i) { return !normals[i].isZero(0); }), order.end());
-  if (order.empty()) return;
-  const NeighbourSearch search(distinct);
-  parallel_for(order.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    NearestFits fits(distinct, search, options);
-    for (std::size_t i = begin; i < end; ++i) normals[order[i]] = fits.normal(order[i]);
+void fit_nearest(const Positions& positions, const NormalFitOptions& options, const Execution& run, Normals& normals) {
+  parallel_for(positions.x.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    NearestFits fits(positions.x, positions.search, options);
+    for (auto i = static_cast<Index>(begin); i < end; ++i) {
+      if (normals[i].isZero(0)) normals[i] = fits.normal(i);
+    }
   });
 }
 
-Normals normals_of_distinct(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run) {
-  if (options.fit == NormalFit::Robust) return robust_normals(points, options, run);
-  Normals normals(points.size(), Vec3::Zero());
+Normals normals_of_positions(const Positions& positions, const NormalFitOptions& options, const Execution& run) {
+  if (options.fit == NormalFit::Robust) return robust_normals(positions, options, run);
+  Normals normals(positions.x.size(), Vec3::Zero());
   const bool balls = options.radius > 0;
   if (balls) {
     const auto least = static_cast<std::size_t>(options.neighbours);
-    normals = ball_normals(points, options.radius, least, options.fit, stage(run, 0.0, 0.9));
+    normals = ball_normals(positions.x, options.radius, least, options.fit, stage(run, 0.0, 0.9));
   }
-  fit_nearest(points, options, balls ? stage(run, 0.9, 1.0) : run, normals);
+  fit_nearest(positions, options, balls ? stage(run, 0.9, 1.0) : run, normals);
   return normals;
 }
 
@@ -110,39 +116,35 @@ void check(const NormalFitOptions& options) {
 }  // namespace
 
 std::vector<Index> find_duplicates(const std::vector<Vec3>& points) {
-  std::vector<Index> order;
-  for (Index i = 0; i < points.size(); ++i) {
-    if (is_finite(points[i])) order.push_back(i);
-  }
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    if (points[a] == points[b]) return a < b;
-    return less_by_coordinates(points[a], points[b]);
-  });
+  std::size_t places = 1;
+  while (places < 2 * points.size()) places *= 2;
+  auto first_at = large_vector<Index>(places, kNoIndex);
   std::vector<Index> representative(points.size(), kNoIndex);
-  Index first = kNoIndex;
-  for (const Index i : order) {
-    if (first == kNoIndex || points[first] != points[i]) first = i;
-    representative[i] = first;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (!is_finite(points[i])) continue;
+    std::size_t place = hash_of(points[i]) & (places - 1);
+    while (first_at[place] != kNoIndex && points[first_at[place]] != points[i]) place = (place + 1) & (places - 1);
+    if (first_at[place] == kNoIndex) first_at[place] = i;
+    representative[i] = first_at[place];
   }
   return representative;
 }
 
-Normals fitted_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run) {
+Normals fitted_normals(const Positions& positions, const NormalFitOptions& options, const Execution& run) {
   check(options);
-  const std::vector<Index> representative = find_duplicates(points);
-  std::vector<Vec3> distinct;
-  std::vector<Index> position(points.size(), kNoIndex);
-  for (Index i = 0; i < points.size(); ++i) {
-    if (representative[i] != i) continue;
-    position[i] = static_cast<Index>(distinct.size());
-    distinct.push_back(points[i]);
-  }
-  const Normals of_distinct = normals_of_distinct(distinct, options, run);
-  Normals normals(points.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (representative[i] != kNoIndex) normals[i] = of_distinct[position[representative[i]]];
+  const Normals of_positions = normals_of_positions(positions, options, run);
+  Normals normals(positions.representative.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < of_positions.size(); ++i) normals[positions.original[i]] = of_positions[i];
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Index first = positions.representative[i];
+    if (first != kNoIndex) normals[i] = normals[first];
   }
   return normals;
+}
+
+Normals fitted_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run) {
+  check(options);
+  return fitted_normals(Positions(points), options, run);
 }
 
 void orient_towards(const std::vector<Vec3>& points, const Vec3& viewpoint, Normals& normals) {

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "ball_normals.hpp"
-#include "kappa/mesh/ball_sum.hpp"
 #include "kappa/mesh/statistics.hpp"
-#include "kappa/search/neighbours.hpp"
 #include "quadric_fit.hpp"
 
 namespace kappa {
@@ -135,14 +133,12 @@ class SheetFits {
   std::vector<double> distances_sq_, weights_, sizes_;
 };
 
-/// Calls `use(fits, point)` for every point, in an order that keeps neighbours together.
+/// Calls `use(fits, point)` for every position.
 template <class Use>
-void for_each_point(const std::vector<Vec3>& points, const NeighbourSearch& search, const NormalFitOptions& options,
-                    const Execution& run, const Use& use) {
-  const std::vector<Index> order = spatial_order(points);
-  parallel_for(order.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    SheetFits fits(points, search, options);
-    for (std::size_t i = begin; i < end; ++i) use(fits, order[i]);
+void for_each_point(const Positions& positions, const NormalFitOptions& options, const Execution& run, const Use& use) {
+  parallel_for(positions.x.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    SheetFits fits(positions.x, positions.search, options);
+    for (auto point = static_cast<Index>(begin); point < end; ++point) use(fits, point);
   });
 }
 
@@ -179,17 +175,16 @@ Sheet best_of(const std::vector<Vec3>& points, const std::vector<Sheet>& sheets,
 
 }  // namespace
 
-Normals robust_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run) {
-  const NeighbourSearch search(points);
-  std::vector<Sheet> sheets(points.size());
-  for_each_point(points, search, options, stage(run, 0.0, 0.5), [&](SheetFits& fits, Index point) {
+Normals robust_normals(const Positions& positions, const NormalFitOptions& options, const Execution& run) {
+  std::vector<Sheet> sheets(positions.x.size());
+  for_each_point(positions, options, stage(run, 0.0, 0.5), [&](SheetFits& fits, Index point) {
     fits.look_around(point);
     sheets[point] = fits.majority();
   });
   const double usual = usual_deviation(sheets);
-  Normals normals(points.size(), Vec3::Zero());
-  for_each_point(points, search, options, stage(run, 0.5, 1.0), [&](SheetFits& fits, Index point) {
-    const Sheet best = best_of(points, sheets, fits.look_around(point), point, usual);
+  Normals normals(positions.x.size(), Vec3::Zero());
+  for_each_point(positions, options, stage(run, 0.5, 1.0), [&](SheetFits& fits, Index point) {
+    const Sheet best = best_of(positions.x, sheets, fits.look_around(point), point, usual);
     if (!best.normal.isZero(0)) normals[point] = fits.normal_on(fits.settle(best));
   });
   return normals;

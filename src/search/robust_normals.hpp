@@ -2,10 +2,11 @@
 #pragma once
 
 #include "kappa/search/cloud_normals.hpp"
+#include "positions.hpp"
 
 namespace kappa {
 
-/// Normals of NormalFit::Robust of finite, distinct points; the zero vector where the neighbours span no plane.
-Normals robust_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run);
+/// Normals of NormalFit::Robust; the zero vector where the neighbours span no plane.
+Normals robust_normals(const Positions& positions, const NormalFitOptions& options, const Execution& run);
 
 }  // namespace kappa

@@ -9,8 +9,8 @@
 
 #include "../search/quadric_fit.hpp"
 #include "kappa/mesh/statistics.hpp"
-#include "kappa/search/cloud_normals.hpp"
 #include "kappa/search/neighbours.hpp"
+#include "on_positions.hpp"
 
 namespace kappa {
 namespace {
@@ -35,15 +35,6 @@ Frame fit_frame(const std::vector<Vec3>& x, const std::vector<Index>& near) {
   frame.col(1) = solver.eigenvectors().col(1);
   frame.col(2) = solver.eigenvectors().col(0);
   return frame;
-}
-
-std::vector<Vec3> distinct_positions(const std::vector<Vec3>& points) {
-  const std::vector<Index> representative = find_duplicates(points);
-  std::vector<Vec3> x;
-  for (Index i = 0; i < points.size(); ++i) {
-    if (representative[i] == i) x.push_back(points[i]);
-  }
-  return x;
 }
 
 /// What one place of the sample says about spacing and noise.
@@ -143,10 +134,14 @@ double variation_of(const std::vector<Curvatures6>& sample, double spacing, doub
 }  // namespace
 
 CloudScale measure_scale(const std::vector<Vec3>& points, const Execution& run) {
-  const std::vector<Vec3> x = distinct_positions(points);
+  return measure_scale(Positions(points), run);
+}
+
+CloudScale measure_scale(const Positions& positions, const Execution& run) {
+  const std::vector<Vec3>& x = positions.x;
+  const NeighbourSearch& search = positions.search;
   CloudScale scale;
   if (x.size() < kMany) return scale;
-  const NeighbourSearch search(x);
   const std::size_t count = std::min(kSample, x.size());
   const auto sampled = [&](std::size_t i) { return static_cast<Index>(i * x.size() / count); };
   std::vector<Place> places(count);

@@ -7,11 +7,19 @@
 namespace kappa {
 
 void DelaunayStar::clip(const Vec2& normal, double offset, int bisector) {
+  const std::size_t size = cell_.size();
+  distances_.resize(size);
+  double farthest = -1;
+  for (std::size_t i = 0; i < size; ++i) {
+    distances_[i] = normal.dot(cell_[i].position) - offset;
+    farthest = std::max(farthest, distances_[i]);
+  }
+  if (farthest <= 0) return;  // as with most neighbours but the nearest
   clipped_.clear();
-  for (std::size_t i = 0; i < cell_.size(); ++i) {
-    const Corner& from = cell_[i];
-    const Corner& to = cell_[(i + 1) % cell_.size()];
-    const double d_from = normal.dot(from.position) - offset, d_to = normal.dot(to.position) - offset;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t next = i + 1 < size ? i + 1 : 0;
+    const Corner &from = cell_[i], &to = cell_[next];
+    const double d_from = distances_[i], d_to = distances_[next];
     if (d_from <= 0) clipped_.push_back(from);
     if ((d_from <= 0) == (d_to <= 0)) continue;
     const Vec2 cut = from.position + d_from / (d_from - d_to) * (to.position - from.position);

@@ -38,6 +38,7 @@ class DelaunayStar {
   void clip(const Vec2& normal, double offset, int bisector);
 
   std::vector<Corner> cell_, clipped_;
+  std::vector<double> distances_;  ///< of the corners from the last bisector
   std::vector<std::pair<int, int>> triangles_;
   double cell_radius_ = 0;
 };

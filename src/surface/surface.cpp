@@ -9,6 +9,7 @@
 #include "kappa/core/error.hpp"
 #include "kappa/search/cloud_normals.hpp"
 #include "kappa/search/neighbours.hpp"
+#include "on_positions.hpp"
 #include "surface_choice.hpp"
 
 namespace kappa {
@@ -58,11 +59,11 @@ NormalFit fit_of(NormalsKind kind) {
   return kind == NormalsKind::Robust ? NormalFit::Robust : NormalFit::Quadric;
 }
 
-Normals fitted_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
+Normals fitted_normals(const Positions& positions, const SurfaceOptions& options, Surface& s, const Execution& run) {
   NormalFitOptions fit;
   fit.fit = fit_of(s.normals);
   fit.neighbours = options.normal_neighbours.value_or(fit.neighbours);
-  s.scale = measure_scale(scan.points, stage(run, 0.0, 0.2));
+  s.scale = measure_scale(positions, stage(run, 0.0, 0.2));
   if (options.normal_radius) {
     fit.radius = *options.normal_radius;
   } else if (!options.normal_neighbours) {
@@ -70,12 +71,13 @@ Normals fitted_normals(const Scan& scan, const SurfaceOptions& options, Surface&
   }
   s.normal_neighbours = fit.neighbours;
   s.normal_radius = fit.radius;
-  return fitted_normals(scan.points, fit, stage(run, 0.2, 1.0));
+  return fitted_normals(positions, fit, stage(run, 0.2, 1.0));
 }
 
 /// Normals of the points, where they do not come from faces.
 Normals point_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
-  return s.normals == NormalsKind::Input ? normalised(scan.normals) : fitted_normals(scan, options, s, run);
+  if (s.normals == NormalsKind::Input) return normalised(scan.normals);
+  return fitted_normals(Positions(scan.points), options, s, run);
 }
 
 /// Compares the normals at the ends of every side of the faces.
@@ -142,13 +144,15 @@ void use_turned_faces(const Scan& scan, const SurfaceOptions& options, const Sur
 /// Faces in the tangent planes; normals from faces then take the place of those that the planes were made of.
 void use_planned_faces(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
                        const Execution& run) {
-  s.u = point_normals(scan, options, s, stage(run, 0.0, 0.5));
+  const Execution first = stage(run, 0.0, 0.5), second = stage(run, 0.5, 1.0);
+  const Positions positions(scan.points);
+  s.u = s.normals == NormalsKind::Input ? normalised(scan.normals) : fitted_normals(positions, options, s, first);
   orient(scan, choice, s);
   if (s.kind == SurfaceKind::Greedy) {
     take(options.greedy(scan.origin, scan.points, s.u), s);
   } else {
     const int neighbours = options.neighbours.value_or(UmbrellaOptions{}.neighbours);
-    take(umbrella_surface(scan.origin, scan.points, s.u, {neighbours}, stage(run, 0.5, 1.0)), s);
+    take(umbrella_surface(scan.origin, scan.points, positions, s.u, {neighbours}, second), s);
   }
   if (from_faces(s.normals)) s.u = vertex_normals(s.mesh, weights_of(s.normals));
 }

@@ -2,26 +2,56 @@
 #include "kappa/surface/umbrella.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <Eigen/Geometry>
 
+#include "../core/large_array.hpp"
 #include "delaunay_star.hpp"
 #include "kappa/core/curvatures.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/ball_sum.hpp"
-#include "kappa/search/cloud_normals.hpp"
-#include "kappa/search/neighbours.hpp"
+#include "on_positions.hpp"
 
 namespace kappa {
 namespace {
 
-constexpr std::size_t kBlock = 256;
+constexpr Index kBlock = 256;
 
-/// The triangles (p, a, b) that one point contributes, as (a, b).
-using Star = std::vector<std::pair<Index, Index>>;
+/// The triangles (p, a, b) that each point p contributes, as (a, b), in blocks of points that threads fill.
+class Stars {
+ public:
+  using Edge = std::pair<Index, Index>;
+  struct Star {
+    const Edge *first, *last;
+    const Edge* begin() const { return first; }
+    const Edge* end() const { return last; }
+    bool empty() const { return first == last; }
+    bool contains(Index a, Index b) const { return std::find(first, last, Edge(a, b)) != last; }
+  };
+
+  explicit Stars(std::size_t points) : blocks_((points + kBlock - 1) / kBlock), end_(points) {}
+
+  /// Adds the star of `p`, the next of its block.
+  void add(Index p, const std::vector<Edge>& star) {
+    std::vector<Edge>& block = blocks_[p / kBlock];
+    if (block.empty()) block.reserve(8 * kBlock);
+    block.insert(block.end(), star.begin(), star.end());
+    end_[p] = static_cast<Index>(block.size());
+  }
+
+  Star operator[](Index p) const {
+    const Edge* const block = blocks_[p / kBlock].data();
+    return {block + (p % kBlock == 0 ? 0 : end_[p - 1]), block + end_[p]};
+  }
+
+  std::size_t size() const { return end_.size(); }
+
+ private:
+  std::vector<std::vector<Edge>> blocks_;
+  std::vector<Index> end_;  ///< of each star in its block
+};
 
 /// A number in [-1, 1] that depends on the index alone (the finaliser of MurmurHash3).
 double tie_break(Index i) {
@@ -32,13 +62,7 @@ double tie_break(Index i) {
   return static_cast<double>(h >> 11) * 0x1p-52 - 1.0;
 }
 
-/// The points a surface is made of: one at each position, all with a normal.
-struct Distinct {
-  std::vector<Vec3> points;
-  std::vector<Index> original;
-};
-
-/// The neighbours of every distinct point, nearest first.
+/// The neighbours of every position, nearest first.
 struct Neighbourhoods {
   std::size_t k = 0;            ///< most neighbours of a point
   std::vector<Index> items;     ///< k a point, kNoIndex where there are fewer
@@ -52,105 +76,136 @@ struct Neighbourhoods {
 /// more than twice this part of the squared distance of their points, so no point is hidden by its neighbours.
 constexpr double kTieBreak = 0.1;
 
-Neighbourhoods find_neighbours(const Distinct& distinct, const NeighbourSearch& search, const std::vector<Index>& order,
-                               int neighbours, const Execution& run) {
+Neighbourhoods find_neighbours(const Positions& positions, int neighbours, const Execution& run) {
+  const std::size_t count = positions.x.size();
   Neighbourhoods n;
-  n.k = std::min(static_cast<std::size_t>(neighbours), std::max<std::size_t>(distinct.points.size(), 1) - 1);
-  n.items.assign(n.k * distinct.points.size(), kNoIndex);
-  n.reach.assign(distinct.points.size(), 0.0);
-  n.weights.assign(distinct.points.size(), 0.0);
-  parallel_for(distinct.points.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+  n.k = std::min(static_cast<std::size_t>(neighbours), count - 1);
+  n.items = large_vector<Index>(n.k * count, kNoIndex);
+  n.reach.assign(count, 0.0);
+  n.weights.assign(count, 0.0);
+  parallel_for(count, kBlock, run, [&](std::size_t begin, std::size_t end, int) {
     std::vector<Index> found;
     std::vector<double> distances_sq;
-    for (std::size_t at = begin; at < end; ++at) {
-      const Index i = order[at];
-      search.nearest(distinct.points[i], n.k + 1, found, distances_sq);
-      found.erase(std::remove(found.begin(), found.end(), i), found.end());
+    for (std::size_t i = begin; i < end; ++i) {
+      positions.search.nearest(positions.x[i], n.k + 1, found, distances_sq);
+      found.erase(std::remove(found.begin(), found.end(), static_cast<Index>(i)), found.end());
       std::copy_n(found.begin(), n.k, n.items.begin() + static_cast<std::ptrdiff_t>(i * n.k));
       n.reach[i] = std::sqrt(distances_sq.back());
-      if (n.k > 0) n.weights[i] = kTieBreak * distances_sq[1] * tie_break(distinct.original[i]);
+      if (n.k > 0) n.weights[i] = kTieBreak * distances_sq[1] * tie_break(positions.original[i]);
     }
   });
   return n;
 }
 
-/// Makes the stars of distinct points, one thread's worth of memory.
+/// Makes the stars of positions, one thread's worth of memory.
 class StarMaker {
  public:
-  StarMaker(const Distinct& distinct, const Normals& normals, const NeighbourSearch& search,
-            const Neighbourhoods& neighbourhoods)
-      : distinct_(distinct), normals_(normals), search_(search), near_(neighbourhoods) {}
+  StarMaker(const Positions& positions, const Normals& normals, const Neighbourhoods& neighbourhoods)
+      : positions_(positions), normals_(normals), near_(neighbourhoods) {}
 
-  Star make(std::size_t i) {
+  const std::vector<Stars::Edge>& make(std::size_t i) {
+    star_.clear();
     const double reach = near_.reach[i];
     const Index* first = near_.items.data() + i * near_.k;
     found_.assign(first, first + near_.k);
-    if (found_.size() < 3) return {};
+    if (found_.size() < 3) return star_;
     const auto* triangles = &compute(i, reach);
     if (2 * delaunay_.cell_radius() > reach) {
       // Points beyond the neighbourhood may still cut the cell: with all that can, the star is exact.
-      search_.within(distinct_.points[i], 2 * delaunay_.cell_radius(), found_, distances_sq_);
+      positions_.search.within(positions_.x[i], 2 * delaunay_.cell_radius(), found_, distances_sq_);
       triangles = &compute(i, reach);
     }
-    Star star;
     for (const auto& [a, b] : *triangles)
-      star.emplace_back(distinct_.original[found_[static_cast<std::size_t>(a)]],
-                        distinct_.original[found_[static_cast<std::size_t>(b)]]);
-    return star;
+      star_.emplace_back(found_[static_cast<std::size_t>(a)], found_[static_cast<std::size_t>(b)]);
+    return star_;
   }
 
  private:
   /// The triangles of the star of `i` among the points found_.
   const std::vector<std::pair<int, int>>& compute(std::size_t i, double reach) {
     Vec3 t1, t2;
-    tangent_basis(normals_[distinct_.original[i]].normalized(), t1, t2);
+    tangent_basis(normals_[positions_.original[i]].normalized(), t1, t2);
     neighbours_.clear();
     for (const Index j : found_) {
-      const Vec3 d = distinct_.points[j] - distinct_.points[i];
+      const Vec3 d = positions_.x[j] - positions_.x[i];
       neighbours_.push_back({Vec2(t1.dot(d), t2.dot(d)), near_.weights[j]});
     }
     return delaunay_.compute(neighbours_, near_.weights[i], reach);
   }
 
-  const Distinct& distinct_;
+  const Positions& positions_;
   const Normals& normals_;
-  const NeighbourSearch& search_;
   const Neighbourhoods& near_;
   DelaunayStar delaunay_;
   std::vector<Index> found_;
   std::vector<double> distances_sq_;
   std::vector<DelaunayStar::Neighbour> neighbours_;
+  std::vector<Stars::Edge> star_;
 };
 
-Distinct select_points(const std::vector<Vec3>& points, const Normals& normals, CloudSurface& surface) {
-  surface.representative = find_duplicates(points);
-  Distinct distinct;
-  for (Index i = 0; i < points.size(); ++i) {
-    const bool has_normal = is_finite(normals[i]) && !normals[i].isZero(0);
-    if (surface.representative[i] == kNoIndex || !has_normal) {
-      ++surface.invalid_points;
-    } else if (surface.representative[i] != i) {
-      ++surface.duplicate_points;
-    } else {
-      distinct.points.push_back(points[i]);
-      distinct.original.push_back(i);
-    }
-  }
-  return distinct;
+Stars make_stars(const Positions& positions, const Normals& normals, int neighbours, const Execution& run) {
+  const Neighbourhoods near = find_neighbours(positions, neighbours, stage(run, 0.0, 0.6));
+  Stars stars(positions.x.size());
+  parallel_for(stars.size(), kBlock, stage(run, 0.6, 1.0), [&](std::size_t begin, std::size_t end, int) {
+    StarMaker maker(positions, normals, near);
+    for (std::size_t i = begin; i < end; ++i) stars.add(static_cast<Index>(i), maker.make(i));
+  });
+  return stars;
 }
 
-bool contains(const Star& star, Index a, Index b) {
-  return std::find(star.begin(), star.end(), std::make_pair(a, b)) != star.end();
+bool has_normal(const Normals& normals, Index i) {
+  return is_finite(normals[i]) && !normals[i].isZero(0);
+}
+
+void count_points(const Positions& positions, const Normals& normals, CloudSurface& surface) {
+  for (Index i = 0; i < normals.size(); ++i) {
+    if (positions.representative[i] == kNoIndex || !has_normal(normals, i)) {
+      ++surface.invalid_points;
+    } else if (positions.representative[i] != i) {
+      ++surface.duplicate_points;
+    }
+  }
+}
+
+/// The positions whose first point has a normal, if they are not all.
+std::optional<Positions> with_normals(const Positions& positions, const Normals& normals) {
+  std::vector<char> keep(positions.x.size());
+  std::transform(positions.original.begin(), positions.original.end(), keep.begin(),
+                 [&](Index i) { return has_normal(normals, i); });
+  if (std::find(keep.begin(), keep.end(), 0) == keep.end()) return std::nullopt;
+  return Positions(positions, keep);
+}
+
+/// How many stars hold the triangle (p, a, b) of the star of `p`; 0 where the star of a lower corner has it too.
+std::uint8_t share_of(const Stars& stars, Index p, Index a, Index b) {
+  const bool in_a = stars[a].contains(b, p), in_b = stars[b].contains(p, a);
+  if ((in_a && a < p) || (in_b && b < p)) return 0;
+  return static_cast<std::uint8_t>(1 + int{in_a} + int{in_b});
 }
 
 /// Equal triangles of several stars become one face, emitted by the lowest of its corners whose star has it.
-void merge_stars(const std::vector<Star>& stars, Mesh& mesh) {
+void merge_stars(const Stars& stars, const std::vector<Index>& original, const Execution& run, Mesh& mesh) {
+  std::vector<std::vector<std::uint8_t>> shares((stars.size() + kBlock - 1) / kBlock);
+  parallel_for(stars.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<std::uint8_t>& block = shares[begin / kBlock];
+    for (auto p = static_cast<Index>(begin); p < end; ++p) {
+      for (const auto& [a, b] : stars[p]) block.push_back(share_of(stars, p, a, b));
+    }
+  });
+  std::size_t faces = 0;
+  for (const auto& block : shares)
+    faces += block.size() - static_cast<std::size_t>(std::count(block.begin(), block.end(), 0));
+  mesh.faces.reserve(faces, 3 * faces);
+  mesh.weights.reserve(faces);
   for (Index p = 0; p < stars.size(); ++p) {
+    if (p % kBlock == 0 && p > 0) std::vector<std::uint8_t>().swap(shares[p / kBlock - 1]);
+    const std::uint8_t* share = shares[p / kBlock].data() + (stars[p].begin() - stars[p - p % kBlock].begin());
     for (const auto& [a, b] : stars[p]) {
-      const bool in_a = contains(stars[a], b, p), in_b = contains(stars[b], p, a);
-      if ((in_a && a < p) || (in_b && b < p)) continue;
-      mesh.faces.add(p, a, b);
-      mesh.weights.push_back((1 + int{in_a} + int{in_b}) / 3.0);
+      if (*share > 0) {
+        mesh.faces.add(original[p], original[a], original[b]);
+        mesh.weights.push_back(*share / 3.0);
+      }
+      ++share;
     }
   }
 }
@@ -166,27 +221,29 @@ void check(const std::vector<Vec3>& points, const Normals& normals, const Umbrel
 
 }  // namespace
 
+CloudSurface umbrella_surface(const Vec3& origin, const std::vector<Vec3>& points, const Positions& positions,
+                              const Normals& normals, const UmbrellaOptions& options, const Execution& run) {
+  check(points, normals, options);
+  CloudSurface surface;
+  count_points(positions, normals, surface);
+  const std::optional<Positions> some = with_normals(positions, normals);
+  const Positions& used = some ? *some : positions;
+  if (used.x.empty())
+    throw Error(ErrorCode::InvalidData, "none of the " + std::to_string(points.size()) +
+                                            " points is finite and has a normal: no surface can be made of them");
+  const Stars stars = make_stars(used, normals, options.neighbours, stage(run, 0.0, 0.9));
+  for (Index p = 0; p < stars.size(); ++p) surface.starless_points += stars[p].empty();
+  surface.mesh.origin = origin;
+  merge_stars(stars, used.original, stage(run, 0.9, 1.0), surface.mesh);
+  surface.mesh.vertices = points;
+  surface.representative = positions.representative;
+  return surface;
+}
+
 CloudSurface umbrella_surface(const Vec3& origin, const std::vector<Vec3>& points, const Normals& normals,
                               const UmbrellaOptions& options, const Execution& run) {
   check(points, normals, options);
-  CloudSurface surface;
-  const Distinct distinct = select_points(points, normals, surface);
-  if (distinct.points.empty())
-    throw Error(ErrorCode::InvalidData, "none of the " + std::to_string(points.size()) +
-                                            " points is finite and has a normal: no surface can be made of them");
-  const NeighbourSearch search(distinct.points);
-  const std::vector<Index> order = spatial_order(distinct.points);
-  const Neighbourhoods near = find_neighbours(distinct, search, order, options.neighbours, stage(run, 0.0, 0.6));
-  std::vector<Star> stars(points.size());
-  parallel_for(distinct.points.size(), kBlock, stage(run, 0.6, 1.0), [&](std::size_t begin, std::size_t end, int) {
-    StarMaker maker(distinct, normals, search, near);
-    for (std::size_t i = begin; i < end; ++i) stars[distinct.original[order[i]]] = maker.make(order[i]);
-  });
-  for (const Index i : distinct.original) surface.starless_points += stars[i].empty();
-  surface.mesh.origin = origin;
-  surface.mesh.vertices = points;
-  merge_stars(stars, surface.mesh);
-  return surface;
+  return umbrella_surface(origin, points, Positions(points), normals, options, run);
 }
 
 }  // namespace kappa

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "positions.hpp"
+
+#include <algorithm>
+
+#include "kappa/mesh/ball_sum.hpp"
+
+namespace kappa {
+namespace {
+
+std::vector<Index> first_at_each(const std::vector<Vec3>& points, const std::vector<Index>& representative) {
+  std::vector<Index> order = spatial_order(points);
+  order.erase(std::remove_if(order.begin(), order.end(), [&](Index i) { return representative[i] != i; }), order.end());
+  order.shrink_to_fit();
+  return order;
+}
+
+template <class T>
+std::vector<T> kept(const std::vector<T>& values, const std::vector<char>& keep) {
+  std::vector<T> result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (keep[i] != 0) result.push_back(values[i]);
+  }
+  return result;
+}
+
+std::vector<Vec3> gathered(const std::vector<Vec3>& points, const std::vector<Index>& from) {
+  std::vector<Vec3> result(from.size());
+  std::transform(from.begin(), from.end(), result.begin(), [&](Index i) { return points[i]; });
+  return result;
+}
+
+}  // namespace
+
+Positions::Positions(const std::vector<Vec3>& points)
+    : representative(find_duplicates(points)),
+      original(first_at_each(points, representative)),
+      x(gathered(points, original)),
+      search(x) {}
+
+Positions::Positions(const Positions& all, const std::vector<char>& keep)
+    : representative(all.representative), original(kept(all.original, keep)), x(kept(all.x, keep)), search(x) {}
+
+}  // namespace kappa
