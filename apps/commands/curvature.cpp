@@ -15,8 +15,7 @@ void declare_curvature(CLI::App& command, CurvatureArguments& arguments) {
 void run_curvature(const CurvatureArguments& arguments) {
   check_writable(arguments.output);
   Stages stages(arguments.run.threads, arguments.run.seed, arguments.run.quiet);
-  Measured m = measure_input(arguments, stages);
-  m.balls.reset();  // half of the memory, before the output takes its own
+  const Measured m = measure_input(arguments, Keep::Curvatures, stages);
   stages.run("write", [&](const Execution& run) {
     Scan out = output_scan(m);
     for (std::size_t r = 0; r < m.fields.size(); ++r) {

@@ -128,14 +128,21 @@ SurfaceCommand with_measured_radius(const CurvatureArguments& arguments) {
   return command;
 }
 
-Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, Stages& stages) {
+MeasuredTriangles measure_faces(const Surface& surface, const MeasureArguments& how, const Execution& run) {
+  if (how.refine > 0) return measure_refined(surface.mesh, surface.u, how.refine, run);
+  return measure_triangles(surface.mesh, surface.u, how.quads, run);
+}
+
+Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, Keep keep, Stages& stages) {
   Measured m;
   static_cast<SurfaceResult&>(m) = std::move(surface);
   m.scan.fields = {};  // not written with the curvatures, and large
+  m.faces = m.surface.mesh.faces.size();
   m.balls = stages.run("measures", [&](const Execution& run) {
-    const MeasureArguments& how = arguments.measure;
-    if (how.refine > 0) return make_engine(measure_refined(m.surface.mesh, m.surface.u, how.refine, run), how);
-    return make_engine(measure_triangles(m.surface.mesh, m.surface.u, how.quads, run), how);
+    MeasuredTriangles triangles = measure_faces(m.surface, arguments.measure, run);
+    // The summary looks at the mesh again if it was refined.
+    if (keep == Keep::Curvatures && arguments.measure.refine == 0) m.surface.mesh = {};
+    return make_engine(std::move(triangles), arguments.measure);
   });
   m.has_faces = true;
   m.dropped_faces = m.balls->triangles().dropped_faces;
@@ -145,7 +152,8 @@ Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, 
 }  // namespace
 
 Measured prepare(const CurvatureArguments& arguments, Stages& stages) {
-  return make_balls(read_and_make_surface(with_measured_radius(arguments), stages), arguments, stages);
+  return make_balls(read_and_make_surface(with_measured_radius(arguments), stages), arguments, Keep::Everything,
+                    stages);
 }
 
 std::vector<double> choose_radii(const CurvatureArguments& arguments, Measured& measured) {
@@ -198,7 +206,7 @@ void restore_order(Measured& m) {
 
 }  // namespace
 
-Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
+Measured measure_input(const CurvatureArguments& arguments, Keep keep, Stages& stages) {
   check_measure(arguments.measure);
   Measured m;
   if (const auto scheme = triangle_scheme(arguments.surface.surface.surface)) {
@@ -210,10 +218,11 @@ Measured measure_input(const CurvatureArguments& arguments, Stages& stages) {
     const SurfaceOptions options = surface_options(arguments.surface);
     m.fields = stages.run("curvatures", [&](const Execution& run) { return measure_points(m, *scheme, options, run); });
   } else {
-    m = make_balls(make_sorted_surface(with_measured_radius(arguments), stages), arguments, stages);
+    m = make_balls(make_sorted_surface(with_measured_radius(arguments), stages), arguments, keep, stages);
     const std::vector<double> radii = choose_radii(arguments, m);
     m.fields =
         stages.run("curvatures", [&](const Execution& run) { return measure(m, arguments.measure, radii, run); });
+    if (keep == Keep::Curvatures) m.balls.reset();
     restore_order(m);
   }
   check_fields(arguments.input, m.fields);

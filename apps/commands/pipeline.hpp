@@ -51,7 +51,14 @@ struct Measured : SurfaceResult {
   std::vector<CurvatureField> fields;  ///< one a radius; without faces one alone
   bool automatic = false;              ///< the radius was chosen from the spacing
   bool has_faces = false;              ///< else triangles of each point alone are measured
+  std::size_t faces = 0;               ///< of the surface, also where they are not kept
   std::size_t dropped_faces = 0;       ///< that could not be measured
+};
+
+/// What is needed when the curvatures are known.
+enum class Keep {
+  Everything,
+  Curvatures  ///< mesh and balls are given up as early as can be: half of the memory
 };
 
 /// Reads and makes the surface; the balls are ready to be summed.
@@ -67,7 +74,7 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
 
 /// All stages up to the curvatures.
 /// @throws Error as the stages do, and InvalidData if no point has a curvature.
-Measured measure_input(const CurvatureArguments& arguments, Stages& stages);
+Measured measure_input(const CurvatureArguments& arguments, Keep keep, Stages& stages);
 
 /// The points with their corrected normals (NaN where there is none) and the faces of the scan, as they are written.
 Scan output_scan(const SurfaceResult& result);

@@ -104,7 +104,7 @@ void run_segment(const SegmentArguments& arguments) {
   need_faces(common.surface, "segment");
   check_writable(common.output);
   Stages stages(common.run.threads, common.run.seed, common.run.quiet);
-  Measured m = measure_input(common, stages);
+  Measured m = measure_input(common, Keep::Everything, stages);
   const auto segments = stages.run("regions", [&](const Execution& run) {
     std::vector<SegmentSummary> all;
     for (const CurvatureField& field : m.fields) all.push_back(segment(arguments, m, field, run));

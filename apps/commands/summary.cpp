@@ -49,7 +49,7 @@ void print_points(const Measured& m) {
   if (s.at_sensor) std::printf(", %zu at the scanner (no return)", s.at_sensor);
   std::printf("\nsurface     %s (%s): ", name(s.kind), s.reason.c_str());
   if (m.has_faces) {
-    std::printf("%zu faces, median edge %s", s.mesh.faces.size(), short_number(s.spacing).c_str());
+    std::printf("%zu faces, median edge %s", m.faces, short_number(s.spacing).c_str());
   } else {
     std::printf("triangles of each point alone, median spacing %s", short_number(s.spacing).c_str());
   }
@@ -195,7 +195,7 @@ void print_json(const CurvatureArguments& arguments, const Measured& m, const st
                           .add("output", arguments.output)
                           .add("points", m.scan.points.size())
                           .add("filter", to_json(m.filtered))
-                          .add("faces", s.mesh.faces.size())
+                          .add("faces", m.faces)
                           .add("dropped_faces", m.dropped_faces)
                           .add("cut_faces", s.cut_faces)
                           .add("at_sensor", s.at_sensor)

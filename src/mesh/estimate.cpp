@@ -193,7 +193,9 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Norm
   std::vector<CurvatureField> of_balls;
   if (!radii.empty()) {
     const auto end = triangles.x.begin() + static_cast<std::ptrdiff_t>(triangles.vertices);
-    of_balls = estimate_curvatures(balls, {triangles.x.begin(), end}, u, positive, run);
+    of_balls = end == triangles.x.end()
+                   ? estimate_curvatures(balls, triangles.x, u, positive, run)
+                   : estimate_curvatures(balls, std::vector<Vec3>(triangles.x.begin(), end), u, positive, run);
   }
   std::vector<CurvatureField> fields;
   auto next = of_balls.begin();
