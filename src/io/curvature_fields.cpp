@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "kappa/io/write.hpp"
 #include "writers.hpp"
 
@@ -61,14 +63,20 @@ std::vector<Entry> entries_of(const CurvatureField& field) {
 }  // namespace
 
 std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix) {
-  std::vector<Field> fields;
-  for (const Entry& entry : entries_of(field)) {
-    Field column;
-    column.name = entry.name + suffix;
-    column.type = entry.type;
-    column.values.reserve(field.samples.size());
-    for (const CurvatureSample& sample : field.samples) column.values.push_back(entry.value(sample));
-    fields.push_back(std::move(column));
+  const std::vector<Entry> entries = entries_of(field);
+  const std::size_t count = field.samples.size();
+  std::vector<Field> fields(entries.size());
+  for (std::size_t c = 0; c < fields.size(); ++c) {
+    fields[c].name = entries[c].name + suffix;
+    fields[c].type = entries[c].type;
+    fields[c].values.resize(count);
+  }
+  constexpr std::size_t kNear = 256;  // samples that stay at hand for all of their columns
+  for (std::size_t begin = 0; begin < count; begin += kNear) {
+    const std::size_t end = std::min(count, begin + kNear);
+    for (std::size_t c = 0; c < fields.size(); ++c) {
+      for (std::size_t i = begin; i < end; ++i) fields[c].values[i] = entries[c].value(field.samples[i]);
+    }
   }
   return fields;
 }

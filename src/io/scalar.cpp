@@ -23,12 +23,12 @@ double load_as(const char* bytes, ByteOrder order) {
 }
 
 template <class T>
-void append_as(std::string& bytes, double value) {
-  const T stored = static_cast<T>(value);
-  char buffer[sizeof(T)];
-  std::memcpy(buffer, &stored, sizeof(T));
-  if (kHost != ByteOrder::Little) std::reverse(buffer, buffer + sizeof(T));
-  bytes.append(buffer, sizeof(T));
+void store_as(const double* values, std::size_t count, char* bytes, std::size_t stride) {
+  for (std::size_t i = 0; i < count; ++i, bytes += stride) {
+    const T stored = static_cast<T>(values[i]);
+    std::memcpy(bytes, &stored, sizeof(T));
+    if (kHost != ByteOrder::Little) std::reverse(bytes, bytes + sizeof(T));
+  }
 }
 
 template <class T>
@@ -74,29 +74,35 @@ double load(const char* bytes, Scalar type, ByteOrder order) {
   return load_as<double>(bytes, order);
 }
 
-void append(std::string& bytes, double value, Scalar type) {
+void store(const double* values, std::size_t count, Scalar type, char* bytes, std::size_t stride) {
   switch (type) {
     case Scalar::Int8:
-      return append_as<std::int8_t>(bytes, value);
+      return store_as<std::int8_t>(values, count, bytes, stride);
     case Scalar::UInt8:
-      return append_as<std::uint8_t>(bytes, value);
+      return store_as<std::uint8_t>(values, count, bytes, stride);
     case Scalar::Int16:
-      return append_as<std::int16_t>(bytes, value);
+      return store_as<std::int16_t>(values, count, bytes, stride);
     case Scalar::UInt16:
-      return append_as<std::uint16_t>(bytes, value);
+      return store_as<std::uint16_t>(values, count, bytes, stride);
     case Scalar::Int32:
-      return append_as<std::int32_t>(bytes, value);
+      return store_as<std::int32_t>(values, count, bytes, stride);
     case Scalar::UInt32:
-      return append_as<std::uint32_t>(bytes, value);
+      return store_as<std::uint32_t>(values, count, bytes, stride);
     case Scalar::Int64:
-      return append_as<std::int64_t>(bytes, value);
+      return store_as<std::int64_t>(values, count, bytes, stride);
     case Scalar::UInt64:
-      return append_as<std::uint64_t>(bytes, value);
+      return store_as<std::uint64_t>(values, count, bytes, stride);
     case Scalar::Float32:
-      return append_as<float>(bytes, value);
+      return store_as<float>(values, count, bytes, stride);
     case Scalar::Float64:
-      return append_as<double>(bytes, value);
+      return store_as<double>(values, count, bytes, stride);
   }
+}
+
+void append(std::string& bytes, double value, Scalar type) {
+  const std::size_t size = bytes.size();
+  bytes.resize(size + size_of(type));
+  store(&value, 1, type, &bytes[size], 0);
 }
 
 Field::Type field_type(Scalar type) {

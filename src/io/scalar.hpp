@@ -23,6 +23,9 @@ double load(const char* bytes, Scalar type, ByteOrder order);
 /// Appends `value`, which must fit, in little-endian order.
 void append(std::string& bytes, double value, Scalar type);
 
+/// Stores `count` values, which must fit, in little-endian order, the first at `bytes`, the others `stride` apart.
+void store(const double* values, std::size_t count, Scalar type, char* bytes, std::size_t stride);
+
 /// The smallest field type that holds every value of `type` (64-bit integers: Float64).
 Field::Type field_type(Scalar type);
 Scalar scalar_of(Field::Type type);

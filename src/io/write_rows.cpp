@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PLY and PCD: a text header, then the same rows of little-endian numbers.
+#include <algorithm>
 #include <limits>
 
 #include "scalar.hpp"
@@ -9,15 +10,56 @@ namespace kappa::io {
 
 namespace {
 
+constexpr std::size_t kRows = 1024;  // in memory that stays near
+
+/// Rows [begin, end) of a file, filled column by column.
+class RowBlock {
+ public:
+  explicit RowBlock(const Scan& scan) : scan_(scan), size_((scan.normals.empty() ? 3 : 6) * sizeof(double)) {
+    for (const Field& field : scan.fields) size_ += size_of(scalar_of(field.type));
+  }
+
+  const std::string& fill(std::size_t begin, std::size_t end) {
+    rows_ = end - begin;
+    offset_ = 0;
+    bytes_.resize(rows_ * size_);
+    values_.resize(rows_);
+    for (int axis = 0; axis < 3; ++axis)
+      add_each([&](std::size_t row) { return coordinate(scan_, begin + row, axis); });
+    for (int axis = 0; axis < 3 && !scan_.normals.empty(); ++axis)
+      add_each([&](std::size_t row) { return scan_.normals[begin + row][axis]; });
+    for (const Field& field : scan_.fields) add(field.values.data() + begin, scalar_of(field.type));
+    return bytes_;
+  }
+
+ private:
+  template <class Value>
+  void add_each(const Value& value) {
+    for (std::size_t row = 0; row < rows_; ++row) values_[row] = value(row);
+    add(values_.data(), Scalar::Float64);
+  }
+
+  void add(const double* column, Scalar type) {
+    store(column, rows_, type, &bytes_[offset_], size_);
+    offset_ += size_of(type);
+  }
+
+  const Scan& scan_;
+  std::size_t size_;  ///< of a row
+  std::size_t rows_ = 0, offset_ = 0;
+  std::string bytes_;
+  std::vector<double> values_;
+};
+
 void write_rows(std::ostream& out, const Scan& scan, const Execution& run) {
-  std::string row;
-  for_each_row(scan.points.size(), run, [&](std::size_t i) {
-    row.clear();
-    for (int axis = 0; axis < 3; ++axis) append(row, coordinate(scan, i, axis), Scalar::Float64);
-    for (int axis = 0; axis < 3 && !scan.normals.empty(); ++axis) append(row, scan.normals[i][axis], Scalar::Float64);
-    for (const Field& field : scan.fields) append(row, field.values[i], scalar_of(field.type));
-    out.write(row.data(), static_cast<std::streamsize>(row.size()));
-  });
+  const std::size_t count = scan.points.size();
+  RowBlock block(scan);
+  for (std::size_t begin = 0; begin < count; begin += kRows) {
+    check_cancelled(run);
+    if (run.progress) run.progress(static_cast<double>(begin) / static_cast<double>(count));
+    const std::string& bytes = block.fill(begin, std::min(count, begin + kRows));
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
 }
 
 const char* ply_type(Field::Type type) {

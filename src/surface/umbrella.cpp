@@ -183,8 +183,8 @@ std::uint8_t share_of(const Stars& stars, Index p, Index a, Index b) {
   return static_cast<std::uint8_t>(1 + int{in_a} + int{in_b});
 }
 
-/// Equal triangles of several stars become one face, emitted by the lowest of its corners whose star has it.
-void merge_stars(const Stars& stars, const std::vector<Index>& original, const Execution& run, Mesh& mesh) {
+/// share_of every triangle of every star, by blocks of points.
+std::vector<std::vector<std::uint8_t>> find_shares(const Stars& stars, const Execution& run) {
   std::vector<std::vector<std::uint8_t>> shares((stars.size() + kBlock - 1) / kBlock);
   parallel_for(stars.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
     std::vector<std::uint8_t>& block = shares[begin / kBlock];
@@ -192,20 +192,24 @@ void merge_stars(const Stars& stars, const std::vector<Index>& original, const E
       for (const auto& [a, b] : stars[p]) block.push_back(share_of(stars, p, a, b));
     }
   });
-  std::size_t faces = 0;
-  for (const auto& block : shares)
-    faces += block.size() - static_cast<std::size_t>(std::count(block.begin(), block.end(), 0));
-  mesh.faces.reserve(faces, 3 * faces);
-  mesh.weights.reserve(faces);
+  return shares;
+}
+
+/// Equal triangles of several stars become one face, emitted by the lowest of its corners whose star has it.
+void merge_stars(const Stars& stars, const std::vector<Index>& original, const Execution& run, Mesh& mesh) {
+  const std::vector<std::vector<std::uint8_t>> shares = find_shares(stars, run);
+  std::ptrdiff_t faces = 0;
+  for (const auto& block : shares) faces += std::count_if(block.begin(), block.end(), [](auto n) { return n > 0; });
+  mesh.faces.reserve(static_cast<std::size_t>(faces), 3 * static_cast<std::size_t>(faces));
+  mesh.weights.reserve(static_cast<std::size_t>(faces));
+  auto share = shares.front().begin();
   for (Index p = 0; p < stars.size(); ++p) {
-    if (p % kBlock == 0 && p > 0) std::vector<std::uint8_t>().swap(shares[p / kBlock - 1]);
-    const std::uint8_t* share = shares[p / kBlock].data() + (stars[p].begin() - stars[p - p % kBlock].begin());
+    if (p % kBlock == 0) share = shares[p / kBlock].begin();
     for (const auto& [a, b] : stars[p]) {
-      if (*share > 0) {
-        mesh.faces.add(original[p], original[a], original[b]);
-        mesh.weights.push_back(*share / 3.0);
-      }
-      ++share;
+      const int stars_with_it = *share++;
+      if (stars_with_it == 0) continue;
+      mesh.faces.add(original[p], original[a], original[b]);
+      mesh.weights.push_back(stars_with_it / 3.0);
     }
   }
 }
