@@ -78,8 +78,12 @@ double noise_of(const std::vector<Place>& places) {
   return std::sqrt(std::max(0.0, (growth * few - many) / (growth - 1)));
 }
 
-/// Mean curvatures of quadrics in growing balls, with their variances for noise of variance 1.
-using Curvatures6 = std::array<std::pair<double, double>, kRadii>;
+/// Mean curvature of the quadric in a ball.
+struct BallCurvature {
+  double mean, variance;  ///< for noise of variance 1
+  bool lopsided;          ///< the ball reaches over a border or a gap
+};
+using Curvatures6 = std::array<BallCurvature, kRadii>;  ///< in growing balls
 
 double radius_of(int step, double spacing) {
   return kSmallest * spacing * std::pow(2.0, 0.5 * step);
@@ -91,42 +95,78 @@ Curvatures6 measure_curvatures(const std::vector<Vec3>& x, const NeighbourSearch
   search.nearest(x[at], kMany, near, distances_sq);
   QuadricFit fit(fit_frame(x, near), radius_of(kRadii - 1, spacing));
   search.within(x[at], radius_of(kRadii - 1, spacing), near, distances_sq);
-  Curvatures6 result;
+  Curvatures6 result{};
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
   for (int step = 0; step < kRadii; ++step) {
     const double outer = radius_of(step, spacing), inner = step == 0 ? -1 : radius_of(step - 1, spacing);
     for (std::size_t i = 0; i < near.size(); ++i) {
-      if (distances_sq[i] <= outer * outer && (step == 0 || distances_sq[i] > inner * inner))
-        fit.add(x[near[i]] - x[at]);
+      if (distances_sq[i] > outer * outer || (step > 0 && distances_sq[i] <= inner * inner)) continue;
+      fit.add(x[near[i]] - x[at]);
+      sum += x[near[i]] - x[at];
+      ++count;
     }
-    result[static_cast<std::size_t>(step)] = fit.mean_curvature();
+    constexpr double kLopsided = 0.2;  // the centroid of half a disc lies 0.42 radii from its centre
+    const auto [mean, variance] = fit.mean_curvature();
+    result[static_cast<std::size_t>(step)] = {mean, variance, sum.norm() > kLopsided * outer * count};
   }
   return result;
 }
 
-/// Mean square of the bias between two radii, if it can be told from the noise.
-double certain_bias_sq(const std::vector<Curvatures6>& sample, std::size_t step, double noise) {
-  double sum = 0, sum_sq = 0, count = 0;
+/// Squares of the differences between the quadrics of two radii, less what noise explains. Lopsided balls are left out,
+/// unless few others are left.
+std::vector<double> excesses(const std::vector<Curvatures6>& sample, std::size_t step, double noise) {
+  const auto lopsided =
+      std::count_if(sample.begin(), sample.end(), [&](const auto& c) { return c[step + 1].lopsided; });
+  const bool use_all = 2 * static_cast<std::size_t>(lopsided) > sample.size();
+  std::vector<double> result;
   for (const Curvatures6& c : sample) {
-    const auto [from, from_variance] = c[step];
-    const auto [to, to_variance] = c[step + 1];
+    const BallCurvature &from = c[step], &to = c[step + 1];
     // The larger fit is the best linear one of its points, so the variance of the difference is that of the variances.
-    const double excess = (from - to) * (from - to) - noise * noise * (from_variance - to_variance);
-    if (!std::isfinite(excess)) continue;
-    sum += excess;
-    sum_sq += excess * excess;
-    ++count;
+    const double difference = from.mean - to.mean, of_noise = noise * noise * (from.variance - to.variance);
+    const double excess = difference * difference - of_noise;
+    if (std::isfinite(excess) && (use_all || !to.lopsided)) result.push_back(excess);
   }
-  if (count < 2) return 0;
-  const double mean = sum / count, error = std::sqrt(std::max(0.0, sum_sq / count - mean * mean) / count);
-  return mean > 3 * error ? mean : 0;
+  return result;
+}
+
+/// Mean square of the bias, with its standard error.
+struct BiasSq {
+  double mean = 0, error = 0;
+  bool certain(double errors) const { return mean > errors * error; }
+};
+
+/// The largest excesses count as the 98th percentile does: a few wild quadrics would hide all others.
+BiasSq bias_sq(std::vector<double> excess) {
+  if (excess.size() < 2) return {};
+  std::vector<double> sizes = excess;
+  for (double& e : sizes) e = std::abs(e);
+  const double most = percentile(sizes, 98), count = static_cast<double>(excess.size());
+  double sum = 0, sum_sq = 0;
+  for (const double e : excess) {
+    const double kept = std::clamp(e, -most, most);
+    sum += kept;
+    sum_sq += kept * kept;
+  }
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(0.0, sum_sq / count - mean * mean) / count)};
 }
 
 double variation_of(const std::vector<Curvatures6>& sample, double spacing, double noise) {
+  constexpr double kLeast = 3, kAmple = 6, kAgreement = 0.4;  // of the square
   for (int step = 0; step + 1 < kRadii; ++step) {
-    const double bias_sq = certain_bias_sq(sample, static_cast<std::size_t>(step), noise);
     // A quadric fitted in a disc of radius r has the bias r^2 / 16 times the Laplacian of the mean curvature.
-    const double radius = radius_of(step, spacing);
-    if (bias_sq > 0) return 16 * std::sqrt(bias_sq) / (radius * radius);
+    const auto variation = [&](int s, double mean) {
+      return 16 * std::sqrt(mean) / std::pow(radius_of(s, spacing), 2);
+    };
+    const BiasSq here = bias_sq(excesses(sample, static_cast<std::size_t>(step), noise));
+    if (!here.certain(kLeast)) continue;
+    if (here.certain(kAmple) || step + 2 == kRadii) return variation(step, here.mean);
+    // What barely passes is too large on average. The next radius knows better where it follows the same law, by which
+    // the square grows by four; at edges it does not.
+    const BiasSq next = bias_sq(excesses(sample, static_cast<std::size_t>(step) + 1, noise));
+    const bool agrees = next.certain(kLeast) && next.mean / 4 > kAgreement * here.mean;
+    return agrees ? variation(step + 1, next.mean) : variation(step, here.mean);
   }
   return 0;
 }
