@@ -69,6 +69,9 @@ class BallWorkspace {
   }
 
  private:
+  static void clear_names(kernels::NamedRim<float>&) {}
+  static void clear_names(kernels::NamedRim<double>& named) { named.corners.count = named.outside.count = 0; }
+
   void start(const Vec3& centre, bool all_careful) {
     centre_ = centre;
     for (kernels::Gathering<Real>& b : balls_) {
@@ -76,6 +79,7 @@ class BallWorkspace {
       std::fill_n(&b.excess[0][0], sizeof(b.excess) / sizeof(double), 0.0);
       std::fill(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
       b.faces = b.measured = 0;
+      clear_names(b.named);
       b.whole_count = b.corners.count = b.outside.count = b.caps.count = b.irregular.count = 0;
     }
     std::fill(direct_.begin(), direct_.end(), BallMeasures{});

@@ -17,6 +17,7 @@ using kernels::Leaf;
 using kernels::TreeView;
 
 constexpr std::size_t kBlock = 64;
+constexpr std::size_t kTogether = 16;  ///< queries that share the way to where they start
 
 /// Puts the triangles in the order given.
 void permute(MeasuredTriangles& t, const std::vector<Index>& order) {
@@ -37,6 +38,7 @@ struct BoxFrame {
   Vec3 middle = Vec3::Zero();
   double unit = 1;
 
+  BoxFrame() = default;
   explicit BoxFrame(const MeasuredTriangles& t) {
     Bounds b;
     for (const auto& corners : t.corners) {
@@ -50,6 +52,8 @@ struct BoxFrame {
     const double half = (b.max / 2 - b.min / 2).maxCoeff();
     if (half > 0 && std::isfinite(1 / half)) unit = 1 / half;
   }
+
+  Vec3 placed(const Vec3& x) const { return (x - middle) * unit; }
 };
 
 float rounded_down(double v) {
@@ -91,7 +95,7 @@ LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame) {
         b.max = b.max.cwiseMax(t.x[v]);
       }
     }
-    const Vec3 lo = (b.min - frame.middle) * frame.unit, hi = (b.max - frame.middle) * frame.unit;
+    const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
     for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), -rounded_down(-hi[axis]));
   }
   return level;
@@ -116,12 +120,22 @@ std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& f
   return levels;
 }
 
-Vec3 set_origin(Leaf<double>&, const Vec3&) {
-  return Vec3::Zero();
+/// What corners of leaves are taken relative to and in the unit of.
+template <class Real>
+BoxFrame leaf_frame(const BoxFrame& frame) {
+  return std::is_same_v<Real, double> ? frame : BoxFrame();
 }
-Vec3 set_origin(Leaf<float>& leaf, const Vec3& origin) {
-  std::copy_n(origin.data(), 3, leaf.origin);
-  return origin;
+
+void set_extent(Leaf<float>&) {}
+void set_extent(Leaf<double>& leaf) {
+  double most = 0;
+  for (std::size_t lane = 0; lane < kWidth; ++lane) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3 x(leaf.x[3 * corner][lane], leaf.x[3 * corner + 1][lane], leaf.x[3 * corner + 2][lane]);
+      if (std::isfinite(x[0])) most = std::max(most, x.norm());
+    }
+  }
+  leaf.extent = static_cast<float>(most * (1 + 1e-6));
 }
 
 void set_normals(Leaf<double>&, std::size_t, const MeasuredTriangles&, std::size_t) {}
@@ -131,21 +145,24 @@ void set_normals(Leaf<float>& leaf, std::size_t lane, const MeasuredTriangles& t
 }
 
 template <class Real>
-std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t) {
+std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& boxes) {
+  const BoxFrame frame = leaf_frame<Real>(boxes);
   auto leaves = large_vector<Leaf<Real>>((t.size() + kWidth - 1) / kWidth);
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     Leaf<Real>& leaf = leaves[i];
-    const Vec3 origin = set_origin(leaf, t.x[t.corners[kWidth * i][0]]);
+    const Vec3 origin = frame.placed(t.x[t.corners[kWidth * i][0]]);
+    std::copy_n(origin.data(), 3, leaf.origin);
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       const std::size_t triangle = kWidth * i + lane;
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vec3 x = triangle < t.size() ? Vec3(t.x[t.corners[triangle][corner]] - origin)
+        const Vec3 x = triangle < t.size() ? Vec3(frame.placed(t.x[t.corners[triangle][corner]]) - origin)
                                            : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
         for (std::size_t axis = 0; axis < 3; ++axis)
-          leaf.x[3 * corner + axis][lane] = static_cast<Real>(x[static_cast<Eigen::Index>(axis)]);
+          leaf.x[3 * corner + axis][lane] = static_cast<float>(x[static_cast<Eigen::Index>(axis)]);
       }
       if (triangle < t.size()) set_normals(leaf, lane, t, triangle);
     }
+    set_extent(leaf);
   }
   return leaves;
 }
@@ -159,12 +176,45 @@ auto query_of(const kernels::Table& table) {
   }
 }
 
+/// What the walks of one thread need.
+class WalkSpace {
+ public:
+  WalkSpace(std::size_t leaves, std::size_t radii) {
+    const std::size_t room = leaves + 2 * kWidth;
+    for (int list = 0; list < 2; ++list) {
+      // Left as they are, for most of the room is never touched.
+      nodes_[list].reset(new std::uint32_t[room]);
+      if (radii > 1) ranges_[list].reset(new kernels::Range[room]);
+      visits.nodes[list] = nodes_[list].get();
+      visits.ranges[list] = ranges_[list].get();
+    }
+  }
+
+  kernels::Visits visits{};
+
+ private:
+  std::unique_ptr<std::uint32_t[]> nodes_[2];
+  std::unique_ptr<kernels::Range[]> ranges_[2];
+};
+
+/// Bounds of the centres [begin, end) in an order.
+Bounds bounds_of(const std::vector<Vec3>& centres, const std::vector<Index>& order, std::size_t begin,
+                 std::size_t end) {
+  Bounds b;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!is_finite(centres[order[i]])) continue;
+    b.min = b.min.cwiseMin(centres[order[i]]);
+    b.max = b.max.cwiseMax(centres[order[i]]);
+  }
+  return b;
+}
+
 /// The tree with leaves of one precision, over triangles in its order.
 template <class Real>
 class Hierarchy {
  public:
   explicit Hierarchy(const MeasuredTriangles& t)
-      : triangles_(view_of(t)), frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t)) {}
+      : triangles_(view_of(t)), frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t, frame_)) {}
 
   std::size_t bytes() const {
     std::size_t total = leaves_.capacity() * sizeof(Leaf<Real>);
@@ -176,11 +226,13 @@ class Hierarchy {
   TreeView<Real> view() const {
     TreeView<Real> v{};
     v.triangles = triangles_;
-    v.levels = static_cast<int>(levels_.size());
-    for (std::size_t i = 0; i < levels_.size(); ++i) v.level[i] = {levels_[i].boxes.data(), &levels_[i].sums[0].area};
+    v.nodes.triangles = triangles_.count;
+    v.nodes.levels = static_cast<int>(levels_.size());
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+      v.nodes.level[i] = {levels_[i].boxes.data(), &levels_[i].sums[0].area, levels_[i].sums.size()};
+    std::copy_n(frame_.middle.data(), 3, v.nodes.middle);
+    v.nodes.unit = frame_.unit;
     v.leaves = leaves_.data();
-    std::copy_n(frame_.middle.data(), 3, v.middle);
-    v.unit = frame_.unit;
     return v;
   }
 
@@ -191,11 +243,18 @@ class Hierarchy {
     const SortedRadii sorted(radii);
     const std::vector<Index> order = spatial_order(centres);
     auto spaces = workspaces<Real>(t, sorted, ball, run);
+    std::vector<WalkSpace> walks;
+    for (std::size_t i = 0; i < spaces.size(); ++i) walks.emplace_back(leaves_.size(), radii.size());
     parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
       BallWorkspace<Real>& space = spaces[static_cast<std::size_t>(worker)];
+      WalkSpace& walk = walks[static_cast<std::size_t>(worker)];
       for (std::size_t i = begin; i < end; ++i) {
-        sink(order[i],
-             space.measure(centres[order[i]], [&](const auto& query) { query_of<Real>(table)(tree, query); }));
+        if ((i - begin) % kTogether == 0) {
+          const Bounds around = bounds_of(centres, order, i, std::min(end, i + kTogether));
+          table.approach(tree.nodes, around.min.data(), around.max.data(), sorted.radii.back(), walk.visits.start);
+        }
+        sink(order[i], space.measure(centres[order[i]],
+                                     [&](const auto& query) { query_of<Real>(table)(tree, query, walk.visits); }));
       }
     });
   }

@@ -190,16 +190,35 @@ TEST(MeasureTree, ThreadsGiveTheSameBits) {
   }
 }
 
+/// Alone, a query starts from where it alone would; in company from what holds the balls of its neighbours too.
+void expect_no_bit_changed_by_company(const MeasureTree& tree, const std::vector<Vec3>& centres,
+                                      const std::vector<double>& radii) {
+  const auto all = test::sums(tree, centres, radii, BallDefinition::ExactDensity);
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const auto alone = test::sums(tree, {centres[i]}, radii, BallDefinition::ExactDensity);
+    for (std::size_t r = 0; r < radii.size(); ++r) {
+      const BallMeasures &a = all[i * radii.size() + r], &b = alone[r];
+      EXPECT_EQ(std::memcmp(&a.sum, &b.sum, sizeof(MeasureSum)), 0) << i << ", radius " << radii[r];
+      EXPECT_EQ(a.face_count, b.face_count) << i << ", radius " << radii[r];
+    }
+  }
+}
+
 TEST(MeasureTree, OrderOfQueriesAndCompanyChangeNoBit) {
-  const Shape s = shapes::torus(3, 1, 40, 30);
-  const MeasureTree tree(measure_triangles(s.mesh, s.normals));
+  const Shape s = shapes::torus(3, 1, 160, 120);
   std::vector<Vec3> shuffled = s.mesh.vertices;
   std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937_64(4));
-  shuffled.resize(300);
-  const auto all = test::sums(tree, shuffled, {0.6}, BallDefinition::ExactDensity);
-  for (std::size_t i = 0; i < shuffled.size(); ++i) {
-    const auto alone = test::sums(tree, {shuffled[i]}, {0.6}, BallDefinition::ExactDensity);
-    EXPECT_EQ(std::memcmp(&all[i].sum, &alone[0].sum, sizeof(MeasureSum)), 0) << i;
+  shuffled.resize(200);
+  // Near each other, and a few far away.
+  std::vector<Vec3> near(s.mesh.vertices.begin(), s.mesh.vertices.begin() + 150);
+  for (const double distance : {3.0, 10.0, 1e4}) near.push_back(Vec3(distance, 1, 0));
+  for (const Precision precision : {Precision::Double, Precision::Fast}) {
+    const MeasureTree tree(measure_triangles(s.mesh, s.normals), precision);
+    for (const double radius : {0.05, 0.3, 1.0, 20.0}) {
+      expect_no_bit_changed_by_company(tree, shuffled, {radius});
+      expect_no_bit_changed_by_company(tree, near, {radius});
+    }
+    expect_no_bit_changed_by_company(tree, near, {0.1, 0.8, 0.4});
   }
 }
 

@@ -11,9 +11,8 @@ namespace {
 
 /// 8 triangles that a search has chosen.
 struct ChosenLeaf {
-  Leaf<double> leaf;
+  ChosenCorners leaf;
   VD triangles[2];
-  unsigned faces;
 };
 
 /// Lanes that hold nothing are infinitely far.
@@ -34,7 +33,6 @@ inline void gather(const TriangleView& triangles, const std::uint32_t* chosen, s
     }
     to.triangles[part] = load<VD>(ids + at);
   }
-  to.faces = count < kWidth ? static_cast<unsigned>(count) : kWidth;
 }
 
 inline void add_chosen(const TriangleView& triangles, const BallQuery<double>& query, int radius,
@@ -43,10 +41,11 @@ inline void add_chosen(const TriangleView& triangles, const BallQuery<double>& q
   ChosenLeaf c;
   for (std::size_t begin = 0; begin < count; begin += kWidth) {
     gather(triangles, chosen + begin, count - begin, c);
-    Placed<double> p[2];
-    place(c.leaf, 0, query.centre, p[0]);
-    place(c.leaf, 4, query.centre, p[1]);
-    add_leaf_to(rim, c.leaf, p, c.triangles, nullptr, c.faces);
+    for (int part = 0; part < 2; ++part) {
+      Placed<double> p;
+      place(c.leaf, 4 * part, query.centre, p);
+      add_placed(rim, c.leaf, p, c.triangles[part]);
+    }
   }
 }
 

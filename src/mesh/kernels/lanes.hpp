@@ -128,38 +128,47 @@ inline VF narrowed(VD low, VD high) {
   return VF{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
 }
 
-/// Moves the lanes of a mask to the front. The other lanes then hold anything.
+/// Moves the lanes of a mask to the front. The other lanes then hold what the first one held.
 template <class V>
 struct Compression;
 
 #if defined(__AVX2__)
-/// For every mask of 8 lanes, the lanes that it has, a byte each.
+/// For every mask of lanes of so many times 32 bits, the 8 lanes of 32 bits that it has, a byte each; where it has
+/// none, those of the first one.
+template <unsigned kWords>
 struct LaneLists {
-  std::uint64_t of[256];
+  static constexpr unsigned kLanes = 8 / kWords;
+  std::uint64_t of[1U << kLanes];
   constexpr LaneLists() : of() {
-    for (unsigned mask = 0; mask < 256; ++mask) {
-      int place = 0;
-      for (unsigned lane = 0; lane < 8; ++lane) {
-        if (mask >> lane & 1) of[mask] |= std::uint64_t{lane} << 8 * place++;
+    for (unsigned mask = 0; mask < 1U << kLanes; ++mask) {
+      unsigned place = 0;
+      for (unsigned lane = 0; lane < kLanes; ++lane) {
+        if (mask >> lane & 1) add(of[mask], place++, lane);
       }
+      while (place < kLanes) add(of[mask], place++, 0);
     }
   }
+  static constexpr void add(std::uint64_t& list, unsigned place, unsigned lane) {
+    for (unsigned word = 0; word < kWords; ++word)
+      list |= std::uint64_t{kWords * lane + word} << 8 * (kWords * place + word);
+  }
+  __m256i order(unsigned mask) const {
+    return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(of[mask])));
+  }
 };
-constexpr LaneLists kLaneLists;
+constexpr LaneLists<1> kLists;
+constexpr LaneLists<2> kWideLists;
 
 template <>
 struct Compression<VF> {
   __m256i order;
-  explicit Compression(unsigned mask)
-      : order(_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kLaneLists.of[mask])))) {}
+  explicit Compression(unsigned mask) : order(kLists.order(mask)) {}
   VF operator()(VF v) const { return _mm256_permutevar8x32_ps(v, order); }
 };
 template <>
 struct Compression<VD> {
   __m256i order;
-  // Lane i of 64 bits is the lanes 2 i and 2 i + 1 of 32.
-  explicit Compression(unsigned mask)
-      : order(Compression<VF>((mask & 1) * 3 | (mask & 2) * 6 | (mask & 4) * 12 | (mask & 8) * 24).order) {}
+  explicit Compression(unsigned mask) : order(kWideLists.order(mask)) {}
   VD operator()(VD v) const {
     return reinterpret_cast<VD>(_mm256_permutevar8x32_ps(reinterpret_cast<__m256>(v), order));
   }
@@ -171,6 +180,7 @@ struct Compression {
   explicit Compression(unsigned of) : mask(of) {}
   V operator()(V v) const {
     V packed = v;
+    for (int i = 0; i < static_cast<int>(sizeof(V) / sizeof(v[0])); ++i) packed[i] = v[0];
     int place = 0;
     for (unsigned rest = mask; rest != 0; rest &= rest - 1) packed[place++] = v[__builtin_ctz(rest)];
     return packed;

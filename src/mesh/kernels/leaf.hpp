@@ -30,8 +30,13 @@ struct Placed {
   double base;
 };
 
+/// Corners of 8 triangles, as in a leaf, where they are.
+struct ChosenCorners {
+  double x[9][kWidth];
+};
+
 /// Distances of the corners from the centre.
-inline void place(const Leaf<double>& leaf, int at, const double* centre, Placed<double>& p) {
+inline void place(const ChosenCorners& leaf, int at, const double* centre, Placed<double>& p) {
   const VD zero = spread(0.0);
   VD a_sq = zero, b_sq = zero, c_sq = zero, least = zero;
   p.base = 0;
@@ -60,7 +65,8 @@ inline void place(const Leaf<double>& leaf, int at, const double* centre, Placed
 
 /// In floats the squared distance of a corner o + a, o the origin of the leaf, is taken as 2 o.a + a.a over o.o, for
 /// the sake of digits: on the rim of a large ball both are small.
-inline void place(const Leaf<float>& leaf, int, const double* centre, Placed<float>& p) {
+template <class Real>
+inline void place(const Leaf<Real>& leaf, const double* centre, Placed<float>& p) {
   const VF zero = spread(0.0F);
   VF a_sq = zero, b_sq = zero, c_sq = zero, least = zero;
   p.base = 0;
@@ -105,7 +111,7 @@ inline VF named(VF triangles, MF, MF) {
 }
 
 /// Rows of the differences of the normals, in floats.
-inline void let_normals_wait(const Leaf<double>&, const Compression<VD>&, MD, MD, int, Waiting<double>&) {}
+inline void let_normals_wait(const ChosenCorners&, const Compression<VD>&, MD, MD, int, Waiting<double>&) {}
 inline void let_normals_wait(const Leaf<float>& leaf, const Compression<VF>& packed, MF second, MF third, int at,
                              Waiting<float>& w) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -116,8 +122,8 @@ inline void let_normals_wait(const Leaf<float>& leaf, const Compression<VF>& pac
 }
 
 /// Lets the triangles in the lanes of `mask` wait, turned so that their second or third corner comes first.
-template <class Real, class M>
-inline void let_wait(const Leaf<Real>& leaf, const Placed<Real>& p, Vector<Real> triangles, M mask, M second, M third,
+template <class Real, class Source, class M>
+inline void let_wait(const Source& leaf, const Placed<Real>& p, Vector<Real> triangles, M mask, M second, M third,
                      Vector<Real> power, Waiting<Real>& w) {
   using V = Vector<Real>;
   const unsigned chosen = bits(mask);
@@ -136,54 +142,46 @@ inline void let_wait(const Leaf<Real>& leaf, const Placed<Real>& p, Vector<Real>
   w.count = at + __builtin_popcount(chosen);
 }
 
+template <class Real>
+inline void let_all_wait(const Rim<Real>& rim, VF triangles, unsigned mask) {
+  rim.ball.faces += let_whole_wait(rim.ball, rim.triangles.measures, triangles, mask);
+}
+inline void let_all_wait(const Rim<double>& rim, VD triangles, unsigned mask) {
+  std::uint64_t ids[4];
+  store(ids, triangles);
+  for (; mask != 0; mask &= mask - 1)
+    add_whole(rim.ball, rim.triangles.measures, static_cast<std::uint32_t>(ids[__builtin_ctz(mask)]), 1);
+}
+
+/// Which corner is alone on its side of the sphere.
+template <class M>
+struct Turn {
+  M second, third;
+  Turn(M in0, M in1, M in2) : second((in0 ^ in1) & ~(in0 ^ in2)), third((in0 ^ in2) & ~(in0 ^ in1)) {}
+};
+
 /// Adds the triangles placed, named in the lanes of `triangles` as WaitingId says, to one ball.
-template <class Real, class M>
-inline void add_placed(const Rim<Real>& rim, const Leaf<Real>& leaf, const Placed<Real>& p, Vector<Real> triangles,
-                       M in0, M in1, M in2) {
+template <class Real, class Source>
+inline void add_placed(const Rim<Real>& rim, const Source& leaf, const Placed<Real>& p, Vector<Real> triangles) {
   using V = Vector<Real>;
+  using M = Mask<Real>;
   constexpr int kLanes = Lanes<Real>::kCount;
   const double radius_sq = rim.query.radii_sq[rim.radius];
+  const V bound = spread(static_cast<Real>(radius_sq - p.base));
+  const M in0 = p.distance_sq[0] <= bound, in1 = p.distance_sq[1] <= bound, in2 = p.distance_sq[2] <= bound;
   const M all = in0 & in1 & in2, any = in0 | in1 | in2, cut = any & ~all;
-  typename WaitingId<Real>::Type ids[kLanes];
-  store(ids, triangles);
-  for (unsigned rest = bits(all); rest != 0; rest &= rest - 1)
-    add_whole(rim.ball, rim.triangles.measures + kSums * triangle_of(ids[__builtin_ctz(rest)]), 1);
-  if (const unsigned chosen = bits(cut)) {
+  let_all_wait(rim, triangles, bits(all));
+  if (bits(cut)) {
     if (rim.ball.corners.count > kRim - kLanes) make_corners_wait(rim);
-    for (unsigned rest = chosen; rest != 0; rest &= rest - 1)
-      prefetch(rim.triangles.measures + kSums * triangle_of(ids[__builtin_ctz(rest)]));
-    const M second = (in0 ^ in1) & ~(in0 ^ in2), third = (in0 ^ in2) & ~(in0 ^ in1);
-    const V bound = spread(static_cast<Real>(radius_sq - p.base));
-    const V first = select(second, p.distance_sq[1], select(third, p.distance_sq[2], p.distance_sq[0]));
-    let_wait(leaf, p, triangles, cut, second, third, first - bound, rim.ball.corners);
+    const Turn<M> turn(in0, in1, in2);
+    const V first = select(turn.second, p.distance_sq[1], select(turn.third, p.distance_sq[2], p.distance_sq[0]));
+    let_wait(leaf, p, triangles, cut, turn.second, turn.third, first - bound, rim.ball.corners);
   }
   const M outside = may_meet(p, radius_sq) & ~any;
   if (!bits(outside)) return;
   if (rim.ball.outside.count > kRim - kLanes) make_outside_wait(rim);
   const M none = outside & ~outside;
   let_wait(leaf, p, triangles, outside, none, none, p.least, rim.ball.outside);
-}
-
-/// Adds 8 triangles to one ball. `sums`: of all of them, or null; `faces`: how many there are of them.
-template <class Real>
-inline void add_leaf_to(const Rim<Real>& rim, const Leaf<Real>& leaf,
-                        const Placed<Real> (&p)[kWidth / Lanes<Real>::kCount],
-                        const Vector<Real> (&triangles)[kWidth / Lanes<Real>::kCount], const double* sums,
-                        unsigned faces) {
-  constexpr int kParts = kWidth / Lanes<Real>::kCount;
-  Mask<Real> in[kParts][3];
-  unsigned all = 0;
-  for (int part = 0; part < kParts; ++part) {
-    const auto bound = spread(static_cast<Real>(rim.query.radii_sq[rim.radius] - p[part].base));
-    for (int corner = 0; corner < 3; ++corner) in[part][corner] = p[part].distance_sq[corner] <= bound;
-    all += static_cast<unsigned>(__builtin_popcount(bits(in[part][0] & in[part][1] & in[part][2])));
-  }
-  if (sums && all == faces) {
-    add_whole(rim.ball, sums, faces);
-    return;
-  }
-  for (int part = 0; part < kParts; ++part)
-    add_placed(rim, leaf, p[part], triangles[part], in[part][0], in[part][1], in[part][2]);
 }
 
 }  // namespace

@@ -64,24 +64,11 @@ inline int hand_on(const Waiting<Real>& w, int from, int turn, Waiting<Real>& to
   return place;
 }
 
-/// Lanes that hold nothing get the last triangle once more; what they yield is not used.
-template <class Real>
-inline void fill_lanes(Waiting<Real>& w) {
-  const int last = w.count - 1;
-  for (int place = w.count; place % Lanes<Real>::kCount != 0; ++place) {
-    for (auto& row : w.x) row[place] = row[last];
-    w.power[place] = w.power[last];
-    w.sign[place] = w.sign[last];
-    w.id[place] = w.id[last];
-  }
-}
-
-/// Calls `measure(first place, lanes that count)` for vectors of what waits, and empties it.
+/// Calls `measure(first place, lanes that count)` for vectors of what waits, and empties it. The other lanes hold
+/// triangles that waited before; what they yield is not used.
 template <class Real, class Measure>
 inline void for_lanes(Waiting<Real>& w, const Measure& measure) {
   constexpr int kLanes = Lanes<Real>::kCount;
-  if (w.count == 0) return;
-  fill_lanes(w);
   for (int first = 0; first < w.count; first += kLanes) measure(first, first_lanes(static_cast<Real>(w.count - first)));
   w.count = 0;
 }
@@ -91,12 +78,12 @@ template <class Real, bool kMoments, class M>
 inline void add_pieces(const Rim<Real>& rim, const Waiting<Real>& w, int first, const Piece<Vector<Real>>& piece,
                        const Corners<Vector<Real>>& t, M good) {
   using V = Vector<Real>;
-  Real share[Lanes<Real>::kCount];
-  store(share, piece.share);
-  add_shares(rim.triangles, w.id + first, share, bits(good), rim.ball);
-  if (!kMoments) return;
   // A lane that does not count may hold NaN, which 0 does not cancel.
   const V zero = spread(Real(0));
+  Real share[Lanes<Real>::kCount];
+  store(share, select(good, piece.share, zero));
+  add_shares(rim.triangles, w.id + first, share, rim.ball);
+  if (!kMoments) return;
   V by = spread(Real(1));
   if (rim.triangles.weights) {
     for (int lane = 0; lane < Lanes<Real>::kCount; ++lane)
@@ -221,7 +208,7 @@ void add_all_waiting(const Rim<Real>& rim) {
   sort_outside<Real, kMoments>(rim);
   add_caps<Real, kMoments>(rim);
   add_irregular<Real, kMoments>(rim);
-  add_waiting(rim.ball);
+  add_waiting(rim.ball, rim.triangles.measures);
 }
 
 template <class Real>
@@ -239,6 +226,13 @@ inline void make_corners_wait(const Rim<Real>& rim) {
     add_corners<Real, true>(rim);
   } else {
     add_corners<Real, false>(rim);
+  }
+}
+inline void make_irregular_wait(const Rim<double>& rim) {
+  if (rim.query.exact_density) {
+    add_irregular<double, true>(rim);
+  } else {
+    add_irregular<double, false>(rim);
   }
 }
 template <class Real>

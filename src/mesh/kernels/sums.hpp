@@ -11,11 +11,11 @@ namespace {
 
 /// Adds the sums that wait, in their order, in registers.
 template <class Real>
-inline void add_waiting(Gathering<Real>& ball) {
+inline void add_waiting(Gathering<Real>& ball, const double* sums) {
   VD a = load<VD>(ball.sum), b = load<VD>(ball.sum + 4);
   double c = ball.sum[8];
   for (int i = 0; i < ball.whole_count; ++i) {
-    const double* const s = ball.whole[i];
+    const double* const s = sums + std::size_t{kSums} * ball.whole[i];
     a += load<VD>(s);
     b += load<VD>(s + 4);
     c += s[8];
@@ -26,31 +26,40 @@ inline void add_waiting(Gathering<Real>& ball) {
   ball.whole_count = 0;
 }
 
-inline void prefetch(const double* sums) {
-  __builtin_prefetch(sums);
-  __builtin_prefetch(sums + kSums - 1);
+/// Lets one wait whose sum is in `sums`, as those of all that wait are.
+template <class Real>
+inline void add_whole(Gathering<Real>& ball, const double* sums, std::uint32_t which, std::uint64_t faces) {
+  ball.whole[ball.whole_count++] = which;
+  ball.faces += faces;
+  if (ball.whole_count >= kWaiting) add_waiting(ball, sums);
 }
 
+/// Names in the lanes of a vector.
+inline VF numbers_from(std::uint32_t first) {
+  const auto i = static_cast<int>(first);
+  return reinterpret_cast<VF>(MF{0, 1, 2, 3, 4, 5, 6, 7} + MF{i, i, i, i, i, i, i, i});
+}
+
+/// Lets those in the lanes of `mask` wait, as add_whole() does.
 template <class Real>
-inline void add_whole(Gathering<Real>& ball, const double* sums, std::uint64_t faces) {
-  prefetch(sums);
-  ball.whole[ball.whole_count++] = sums;
-  ball.faces += faces;
-  if (ball.whole_count == kWaiting) add_waiting(ball);
+inline unsigned let_whole_wait(Gathering<Real>& ball, const double* sums, VF which, unsigned mask) {
+  store(ball.whole + ball.whole_count, Compression<VF>(mask)(which));
+  const auto count = static_cast<unsigned>(__builtin_popcount(mask));
+  ball.whole_count += static_cast<int>(count);
+  if (ball.whole_count >= kWaiting) add_waiting(ball, sums);
+  return count;
 }
 
 inline std::size_t triangle_of(std::uint64_t id) {
   return static_cast<std::uint32_t>(id);
 }
 
-/// Adds the measures of the triangles in the lanes of `mask`, times their shares.
+/// Adds the measures of the triangles in all lanes, times their shares.
 template <class Real, class Id>
-inline void add_shares(const TriangleView& triangles, const Id* ids, const Real* share, unsigned mask,
-                       Gathering<Real>& ball) {
+inline void add_shares(const TriangleView& triangles, const Id* ids, const Real* share, Gathering<Real>& ball) {
   VD a = load<VD>(ball.sum), b = load<VD>(ball.sum + 4);
   double c = ball.sum[8];
-  for (; mask != 0; mask &= mask - 1) {
-    const int lane = __builtin_ctz(mask);
+  for (int lane = 0; lane < Lanes<Real>::kCount; ++lane) {
     const double* const s = triangles.measures + kSums * triangle_of(ids[lane]);
     const auto factor = static_cast<double>(share[lane]);
     a += spread(factor) * load<VD>(s);

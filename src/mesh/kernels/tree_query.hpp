@@ -1,174 +1,172 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "leaf.hpp"
+#include "named_rim.hpp"
+#include "nodes.hpp"
 
-// The walk through the tree for one centre and all radii. Included by kernel files alone.
+// The walk through the tree for one centre and all radii: level by level, so that the order of all additions is that of
+// the nodes, wherever the walk starts. Included by kernel files alone.
 
 namespace kappa::kernels {
 namespace {
 
-/// A block of 8 nodes that the spheres of radii [first, last) cut.
-struct Task {
-  int level, first, last;
-  std::uint32_t block;
-};
+/// The centre as leaves hold corners.
+inline const double* centre_of(const BallQuery<double>&, const Place& place) {
+  return place.at;
+}
+inline const double* centre_of(const BallQuery<float>& query, const Place&) {
+  return query.centre;
+}
 
-/// The centre in the unit of the tree.
-struct BoxCentre {
-  float at[3];
-};
+/// Triangles that a node of the level has less than others, if it is the last one.
+inline std::uint64_t missing_in_last(const NodeView& tree, int level) {
+  return (static_cast<std::uint64_t>(tree.level[level].nodes) << 3 * (level + 1)) - tree.triangles;
+}
 
-/// Bounds of the squared distances of boxes that leave no doubt in spite of the rounding of the boxes' floats: `slack`
-/// is what centre and corners may be off by, and a relative 1e-6 is far more than what the sums of squares are.
 template <class Real>
-inline BoxCentre prepare(const TreeView<Real>& tree, const BallQuery<Real>& query) {
-  constexpr double kRounding = 1.2e-7, kRelative = 1e-6;
-  BoxCentre centre;
-  double largest = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double c = (query.centre[axis] - tree.middle[axis]) * tree.unit;
-    centre.at[axis] = static_cast<float>(c);
-    largest = c > largest ? c : -c > largest ? -c : largest;
+class Walk {
+ public:
+  Walk(const TreeView<Real>& tree, const BallQuery<Real>& query, const Visits& visits)
+      : tree_(tree), query_(query), visits_(visits), place_(tree.nodes, query.centre), level_(visits.start.level) {
+    for (int axis = 0; axis < 3; ++axis) at_[axis] = static_cast<float>(place_.at[axis]);
+    for (int i = 0; i < query.count; ++i) {
+      Gathering<Real>& ball = query.balls[i];
+      ball.reach = query.radii[i] * tree.nodes.unit;
+      const BoxBounds bounds(ball.reach, place_.farthest);
+      ball.out_sq = bounds.out_sq;
+      ball.in_sq = bounds.in_sq;
+    }
   }
-  const double slack = kRounding * largest;
-  for (int i = 0; i < query.count; ++i) {
-    const double r = query.radii[i] * tree.unit, out = (r + slack) * (1 + kRelative);
-    const double in = (r - slack) * (1 - kRelative);
-    query.balls[i].out_sq = static_cast<float>(out * out);
-    query.balls[i].in_sq = in > slack ? static_cast<float>(in * in) : -1.0F;
+
+  template <bool kMany>
+  void run() {
+    const Range all = {0, query_.count};
+    for (int i = 0; i < visits_.start.count; i += kWidth) visit<kMany>(boxes_at(visits_.start, i), all);
+    finish_level();
+    while (level_ > 0) {
+      --level_;
+      const std::uint32_t* const blocks = visits_.nodes[now_];
+      const Range* const ranges = visits_.ranges[now_];
+      const std::size_t count = found_;
+      now_ ^= 1;
+      found_ = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        prefetch_block(blocks[i + (i + kAhead < count ? kAhead : 0)]);
+        visit<kMany>(boxes_of(tree_.nodes, level_, blocks[i]), kMany ? ranges[i] : all);
+      }
+      finish_level();
+    }
+    for (std::size_t i = 0; i < found_; ++i) {
+      prefetch_leaf(visits_.nodes[now_][i + (i + kAhead < found_ ? kAhead : 0)]);
+      add_leaf(visits_.nodes[now_][i], kMany ? visits_.ranges[now_][i] : all);
+    }
   }
-  return centre;
-}
 
-/// Squared distances from the centre to the nearest and farthest point of 8 boxes.
-struct BoxDistances {
-  VF least, most;
-};
+ private:
+  static constexpr std::size_t kAhead = 2;
 
-inline BoxDistances box_distances(const BoxBlock& block, const BoxCentre& centre) {
-  const VF zero = spread(0.0F);
-  BoxDistances d = {zero, zero};
-  const auto add_axis = [&](int axis) {
-    const VF c = spread(centre.at[axis]);
-    const VF below = load<VF>(block.lo[axis]) - c, above = c - load<VF>(block.hi[axis]);
-    const VF gap = max(max(below, above), zero), reach = min(below, above);
-    d.least += gap * gap;
-    d.most += reach * reach;
-  };
-  add_axis(0);
-  add_axis(1);
-  add_axis(2);
-  return d;
-}
-
-inline unsigned at_most(VF values, float bound) {
-  return bits(values <= spread(bound));
-}
-
-inline void number_lanes(std::size_t first, VD (&triangles)[2]) {
-  const auto i = static_cast<long long>(first);
-  triangles[0] = reinterpret_cast<VD>(MD{i, i + 1, i + 2, i + 3});
-  triangles[1] = reinterpret_cast<VD>(MD{i + 4, i + 5, i + 6, i + 7});
-}
-inline void number_lanes(std::size_t first, VF (&triangles)[1]) {
-  const auto i = static_cast<int>(first);
-  triangles[0] = reinterpret_cast<VF>(MF{0, 1, 2, 3, 4, 5, 6, 7} + MF{i, i, i, i, i, i, i, i});
-}
-
-template <class Real>
-void add_leaf(const TreeView<Real>& tree, const BallQuery<Real>& query, std::size_t leaf, int first, int last) {
-  constexpr int kParts = kWidth / Lanes<Real>::kCount;
-  Placed<Real> p[kParts];
-  for (int part = 0; part < kParts; ++part) place(tree.leaves[leaf], part * Lanes<Real>::kCount, query.centre, p[part]);
-  const std::size_t begin = kWidth * leaf, left = tree.triangles.count - begin;
-  Vector<Real> triangles[kParts];
-  number_lanes(begin, triangles);
-  for (int radius = first; radius < last; ++radius) {
-    add_leaf_to(Rim<Real>{tree.triangles, query, radius, query.balls[radius]}, tree.leaves[leaf], p, triangles,
-                tree.level[0].sums + kSums * leaf, left < kWidth ? static_cast<unsigned>(left) : kWidth);
+  void prefetch_block(std::uint32_t block) const {
+    const BoxBlock& b = tree_.nodes.level[level_].boxes[block];
+    __builtin_prefetch(&b.lo[0][0]);
+    __builtin_prefetch(&b.lo[2][0]);
+    __builtin_prefetch(&b.hi[1][0]);
   }
-}
 
-/// Triangles below a node of a level.
-template <class Real>
-inline std::uint64_t faces_below(const TreeView<Real>& tree, int level, std::size_t node) {
-  const int shift = 3 * (level + 1);
-  const std::uint64_t begin = static_cast<std::uint64_t>(node) << shift, end = begin + (std::uint64_t{1} << shift);
-  return (end < tree.triangles.count ? end : tree.triangles.count) - begin;
-}
+  void prefetch_leaf(std::uint32_t leaf) const {
+    const auto* const first = reinterpret_cast<const char*>(tree_.leaves + leaf);
+    for (std::size_t byte = 0; byte < sizeof(Leaf<Real>); byte += 64) __builtin_prefetch(first + byte);
+  }
 
-template <class Real>
-struct Walk {
-  const TreeView<Real>& tree;
-  const BallQuery<Real>& query;
-  Task stack[kWidth * kMaxLevels];
-  int waiting;
+  const double* sums() const { return tree_.nodes.level[level_].sums; }
 
-  void open(const Task& task, std::size_t node, int first, int last) {
-    if (task.level > 0) {
-      stack[waiting++] = {task.level - 1, first, last, static_cast<std::uint32_t>(node)};
-      __builtin_prefetch(&tree.level[task.level - 1].boxes[node]);
-      __builtin_prefetch(&tree.level[task.level - 1].boxes[node].hi[0][0]);
+  template <bool kMany>
+  void visit(const Boxes& boxes, const Range& range) {
+    const VF least = least_distances(boxes, at_, at_), most = most_distances(boxes, at_);
+    if (kMany) {
+      visit_for_many(boxes, least, most, range);
     } else {
-      add_leaf(tree, query, node, first, last);
+      visit_for_one(boxes, least, most);
     }
   }
 
-  void prefetch_leaves(std::size_t begin, unsigned mask) {
-    for (; mask != 0; mask &= mask - 1) {
-      const auto* const leaf = reinterpret_cast<const char*>(tree.leaves + begin + __builtin_ctz(mask));
-      for (std::size_t byte = 0; byte < sizeof(Leaf<Real>); byte += 64) __builtin_prefetch(leaf + byte);
-    }
+  void visit_for_one(const Boxes& boxes, VF least, VF most) {
+    Gathering<Real>& ball = query_.balls[0];
+    const unsigned met = at_most(least, ball.out_sq), in = at_most(most, ball.in_sq) & met;
+    const int shift = 3 * (level_ + 1);
+    ball.faces += std::uint64_t{let_whole_wait(ball, sums(), boxes.names, in)} << shift;
+    count_less(ball, boxes.names, in);
+    store(visits_.nodes[now_] + found_, Compression<VF>(met & ~in)(boxes.names));
+    found_ += static_cast<unsigned>(__builtin_popcount(met & ~in));
   }
 
-  void add_node(const Task& task, std::size_t node, int radius) {
-    add_whole(query.balls[radius], tree.level[task.level].sums + kSums * node, faces_below(tree, task.level, node));
+  /// Takes back what was counted too much if the last node is among those inside.
+  void count_less(Gathering<Real>& ball, VF names, unsigned in) const {
+    const auto last = static_cast<int>(tree_.nodes.level[level_].nodes - 1);
+    const MF is_last = reinterpret_cast<MF>(names) == MF{last, last, last, last, last, last, last, last};
+    if (bits(is_last) & in) ball.faces -= missing_in_last(tree_.nodes, level_);
   }
 
-  void open_for_one(const Task& task, const BoxDistances& d) {
-    const Gathering<Real>& ball = query.balls[task.first];
-    const std::size_t begin = std::size_t{kWidth} * task.block;
-    const unsigned met = at_most(d.least, ball.out_sq), in = at_most(d.most, ball.in_sq) & met;
-    for (unsigned rest = in; rest != 0; rest &= rest - 1)
-      add_node(task, begin + static_cast<std::size_t>(__builtin_ctz(rest)), task.first);
-    if (task.level == 0) prefetch_leaves(begin, met & ~in);
-    for (unsigned rest = met & ~in; rest != 0; rest &= rest - 1)
-      open(task, begin + static_cast<std::size_t>(__builtin_ctz(rest)), task.first, task.last);
-  }
-
-  /// Radii of a task that hold a child whole or do not reach it narrow those for which it is opened.
-  void open_for_many(const Task& task, const BoxDistances& d) {
+  /// Radii that hold a node whole or do not reach it narrow those for which it is opened.
+  void visit_for_many(const Boxes& boxes, VF least_of, VF most_of, const Range& range) {
     float least[kWidth], most[kWidth];
-    store(least, d.least);
-    store(most, d.most);
-    for (unsigned rest = at_most(d.least, query.balls[task.last - 1].out_sq); rest != 0; rest &= rest - 1) {
+    std::uint32_t names[kWidth];
+    store(least, least_of);
+    store(most, most_of);
+    store(names, boxes.names);
+    for (unsigned rest = at_most(least_of, query_.balls[range.last - 1].out_sq); rest != 0; rest &= rest - 1) {
       const int i = __builtin_ctz(rest);
-      const std::size_t node = std::size_t{kWidth} * task.block + static_cast<std::size_t>(i);
-      int first = task.first, last = task.last;
-      while (first < last && least[i] > query.balls[first].out_sq) ++first;
-      while (first < last && most[i] <= query.balls[last - 1].in_sq) add_node(task, node, --last);
-      if (first < last) open(task, node, first, last);
+      int first = range.first, last = range.last;
+      while (first < last && least[i] > query_.balls[first].out_sq) ++first;
+      while (first < last && most[i] <= query_.balls[last - 1].in_sq) add_node(names[i], --last);
+      if (first == last) continue;
+      visits_.nodes[now_][found_] = names[i];
+      visits_.ranges[now_][found_++] = {first, last};
     }
   }
+
+  void add_node(std::uint32_t node, int radius) const {
+    const bool last = node + std::size_t{1} == tree_.nodes.level[level_].nodes;
+    const std::uint64_t faces = std::uint64_t{1} << 3 * (level_ + 1);
+    add_whole(query_.balls[radius], sums(), node, last ? faces - missing_in_last(tree_.nodes, level_) : faces);
+  }
+
+  /// Adds what waits: names of another level come next.
+  void finish_level() const {
+    for (int radius = 0; radius < query_.count; ++radius) add_waiting(query_.balls[radius], sums());
+  }
+
+  void add_leaf(std::uint32_t leaf, const Range& radii) const {
+    Placed<float> p;
+    place(tree_.leaves[leaf], centre_of(query_, place_), p);
+    const VF triangles = numbers_from(kWidth * leaf);
+    for (int radius = radii.first; radius < radii.last; ++radius) {
+      add_to_ball(Rim<Real>{tree_.triangles, query_, radius, query_.balls[radius]}, tree_.leaves[leaf], p, triangles);
+    }
+  }
+
+  const TreeView<Real>& tree_;
+  const BallQuery<Real>& query_;
+  const Visits& visits_;
+  Place place_;
+  float at_[3];
+  int level_;              ///< of the nodes that are looked at
+  int now_ = 0;            ///< which list they are found in
+  std::size_t found_ = 0;  ///< nodes of the level that are to be opened
 };
 
 template <class Real>
-void run_query(const TreeView<Real>& tree, const BallQuery<Real>& query) {
-  const BoxCentre centre = prepare(tree, query);
-  Walk<Real> walk{tree, query, {}, 0};
-  if (tree.levels > 0) walk.stack[walk.waiting++] = {tree.levels - 1, 0, query.count, 0};
-  while (walk.waiting > 0) {
-    const Task task = walk.stack[--walk.waiting];
-    const BoxDistances d = box_distances(tree.level[task.level].boxes[task.block], centre);
-    if (task.last - task.first == 1) {
-      walk.open_for_one(task, d);
-    } else {
-      walk.open_for_many(task, d);
-    }
+void run_query(const TreeView<Real>& tree, const BallQuery<Real>& query, const Visits& visits) {
+  Walk<Real> walk(tree, query, visits);
+  if (query.count == 1) {
+    walk.template run<false>();
+  } else {
+    walk.template run<true>();
   }
-  for (int radius = 0; radius < query.count; ++radius)
-    finish_rim(Rim<Real>{tree.triangles, query, radius, query.balls[radius]});
+  for (int radius = 0; radius < query.count; ++radius) {
+    const Rim<Real> rim = {tree.triangles, query, radius, query.balls[radius]};
+    finish_named(rim);
+    finish_rim(rim);
+  }
 }
 
 }  // namespace

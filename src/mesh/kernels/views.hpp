@@ -13,6 +13,7 @@ inline constexpr int kWidth = 8;       ///< children of a node, triangles of a l
 inline constexpr int kMaxLevels = 12;  ///< 8^12 nodes are more than indices can count
 inline constexpr int kSums = 9;        ///< doubles of a MeasureSum: area, mu0, mu2, sym mu
 inline constexpr int kWaiting = 64;    ///< sums waiting to be added
+inline constexpr int kStart = 128;     ///< nodes that queries may start from, a multiple of kWidth
 inline constexpr int kRim = 32;        ///< triangles waiting to be measured, a multiple of the lanes
 
 /// The arrays of a MeasuredTriangles.
@@ -31,17 +32,22 @@ struct alignas(64) BoxBlock {
   float lo[3][kWidth], hi[3][kWidth];
 };
 
-/// Corners of 8 triangles side by side, coordinate by coordinate; infinity where there is no triangle.
+/// Corners of 8 triangles side by side, coordinate by coordinate, relative to a point of the leaf; infinity where there
+/// is no triangle.
 template <class Real>
 struct Leaf;
 
+/// For doubles, in the unit of the tree: they tell triangles inside and outside from those on the rim, whose corners
+/// are then taken from the mesh.
 template <>
 struct alignas(64) Leaf<double> {
-  double x[9][kWidth];
+  float x[9][kWidth];
+  float extent;  ///< no corner is farther from the origin
+  double origin[3];
 };
 
-/// In floats the corners are relative to a point of the leaf, and the differences of the second and third normal from
-/// the first are at hand too.
+/// For floats the triangles on the rim are taken from here too, and the differences of the second and third normal from
+/// the first are at hand.
 template <>
 struct alignas(32) Leaf<float> {
   float x[15][kWidth];
@@ -52,16 +58,44 @@ struct alignas(32) Leaf<float> {
 struct Level {
   const BoxBlock* boxes;  ///< one a block of 8 nodes
   const double* sums;     ///< kSums a node
+  std::size_t nodes;
+};
+
+/// The nodes of a tree.
+struct NodeView {
+  std::size_t triangles;
+  int levels;
+  Level level[kMaxLevels];
+  double middle[3], unit;  ///< boxes hold (x - middle) * unit, within [-1, 1]
 };
 
 /// A tree; its triangles in the order of the leaves.
 template <class Real>
 struct TreeView {
   TriangleView triangles;
-  int levels;
-  Level level[kMaxLevels];
+  NodeView nodes;
   const Leaf<Real>* leaves;
-  double middle[3], unit;  ///< boxes hold (x - middle) * unit, within [-1, 1]
+};
+
+/// Nodes of one level, increasing, that hold whatever the balls of some queries may meet; no ball holds a node above
+/// whole. Their boxes stand side by side; places up to the next multiple of 8 are empty boxes.
+struct Start {
+  int level, count;
+  float lo[3][kStart + kWidth], hi[3][kStart + kWidth];
+  std::uint32_t nodes[kStart + kWidth];
+};
+
+/// Numbers of the radii [first, last) that a node is opened for.
+struct Range {
+  int first, last;
+};
+
+/// What a walk needs: the nodes that it visits on two levels, and for several radii the radii that it visits them for.
+/// Room for kWidth more than a level has nodes, of the leaves.
+struct Visits {
+  Start start;
+  std::uint32_t* nodes[2];
+  Range* ranges[2];
 };
 
 /// How a triangle is called while it waits: its index, in doubles with the number of the corner that is the first here
@@ -90,17 +124,33 @@ struct alignas(64) Waiting {
   int count;
 };
 
+/// Triangles, and which of their corners comes first.
+struct Named {
+  std::uint32_t triangle[kRim + kWidth], turn[kRim + kWidth];
+  int count;
+};
+
+/// Triangles on the rim whose corners are not yet taken from the mesh.
+template <class Real>
+struct NamedRim {};
+template <>
+struct NamedRim<double> {
+  Named corners, outside;
+};
+
 /// What a ball has got so far.
 template <class Real>
 struct alignas(64) Gathering {
-  double sum[12];                 ///< kSums used
-  double excess[7][8];            ///< mu0 and sym mu that cut triangles have over their share, a lane each
-  double longest_sq[8];           ///< sum over the triangles that were measured together, a lane each
-  std::uint64_t measured;         ///< how many these are
-  std::uint64_t faces;            ///< met
-  const double* whole[kWaiting];  ///< sums of nodes and triangles inside, to be added
+  double sum[12];                          ///< kSums used
+  double excess[7][8];                     ///< mu0 and sym mu that cut triangles have over their share, a lane each
+  double longest_sq[8];                    ///< sum over the triangles that were measured together, a lane each
+  std::uint64_t measured;                  ///< how many these are
+  std::uint64_t faces;                     ///< met
+  std::uint32_t whole[kWaiting + kWidth];  ///< nodes of one level or triangles inside, whose sums are to be added
   int whole_count;
-  float out_sq, in_sq;      ///< in the unit of the tree: boxes farther away are out, nearer ones in
+  float out_sq, in_sq;  ///< in the unit of the tree: boxes farther away are out, nearer ones in
+  double reach;         ///< radius in the unit of the tree
+  NamedRim<Real> named;
   Waiting<Real> corners;    ///< one corner, the first, is on the other side of the sphere than the others
   Waiting<Real> outside;    ///< all corners outside the ball
   Waiting<Real> caps;       ///< what the first edge cuts off from the disc
@@ -124,9 +174,11 @@ struct BallQuery {
 
 /// The kernels of one instruction set. All give the same bits.
 struct Table {
+  /// Where queries with centres between `lo` and `hi` and radii up to `radius` start. It changes no bit of them.
+  void (*approach)(const NodeView& tree, const double* lo, const double* hi, double radius, Start& start);
   /// Everything that a tree has in the balls of a query.
-  void (*query_double)(const TreeView<double>& tree, const BallQuery<double>& query);
-  void (*query_float)(const TreeView<float>& tree, const BallQuery<float>& query);
+  void (*query_double)(const TreeView<double>& tree, const BallQuery<double>& query, const Visits& visits);
+  void (*query_float)(const TreeView<float>& tree, const BallQuery<float>& query, const Visits& visits);
   /// What `count` triangles have in the ball number `radius`, and, once all are given, what still waits.
   void (*add)(const TriangleView& triangles, const BallQuery<double>& query, int radius, const std::uint32_t* chosen,
               std::size_t count);
