@@ -84,17 +84,24 @@ struct LevelData {
   }
 };
 
+/// Bounds of the corners of a leaf's triangles.
+Bounds bounds_of_leaf(const MeasuredTriangles& t, std::size_t leaf) {
+  Bounds b;
+  for (std::size_t i = kWidth * leaf; i < std::min(t.size(), kWidth * (leaf + 1)); ++i) {
+    for (const Index v : t.corners[i]) {
+      b.min = b.min.cwiseMin(t.x[v]);
+      b.max = b.max.cwiseMax(t.x[v]);
+    }
+  }
+  return b;
+}
+
 LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame) {
   LevelData level((t.size() + kWidth - 1) / kWidth);
   for (std::size_t leaf = 0; leaf < level.sums.size(); ++leaf) {
-    Bounds b;
-    for (std::size_t i = kWidth * leaf; i < std::min(t.size(), kWidth * (leaf + 1)); ++i) {
+    for (std::size_t i = kWidth * leaf; i < std::min(t.size(), kWidth * (leaf + 1)); ++i)
       level.sums[leaf] += t.measures[i];
-      for (const Index v : t.corners[i]) {
-        b.min = b.min.cwiseMin(t.x[v]);
-        b.max = b.max.cwiseMax(t.x[v]);
-      }
-    }
+    const Bounds b = bounds_of_leaf(t, leaf);
     const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
     for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), -rounded_down(-hi[axis]));
   }
@@ -120,50 +127,49 @@ std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& f
   return levels;
 }
 
-/// What corners of leaves are taken relative to and in the unit of.
-template <class Real>
-BoxFrame leaf_frame(const BoxFrame& frame) {
-  return std::is_same_v<Real, double> ? frame : BoxFrame();
-}
-
-void set_extent(Leaf<float>&) {}
-void set_extent(Leaf<double>& leaf) {
-  double most = 0;
-  for (std::size_t lane = 0; lane < kWidth; ++lane) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const Vec3 x(leaf.x[3 * corner][lane], leaf.x[3 * corner + 1][lane], leaf.x[3 * corner + 2][lane]);
-      if (std::isfinite(x[0])) most = std::max(most, x.norm());
-    }
-  }
-  leaf.extent = static_cast<float>(most * (1 + 1e-6));
-}
-
-void set_normals(Leaf<double>&, std::size_t, const MeasuredTriangles&, std::size_t) {}
 void set_normals(Leaf<float>& leaf, std::size_t lane, const MeasuredTriangles& t, std::size_t triangle) {
   const auto& c = t.corners[triangle];
   for (int i = 0; i < 6; ++i) leaf.x[9 + i][lane] = static_cast<float>(t.u[c[i < 3 ? 1 : 2]][i % 3] - t.u[c[0]][i % 3]);
 }
 
-template <class Real>
-std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& boxes) {
-  const BoxFrame frame = leaf_frame<Real>(boxes);
-  auto leaves = large_vector<Leaf<Real>>((t.size() + kWidth - 1) / kWidth);
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    Leaf<Real>& leaf = leaves[i];
-    const Vec3 origin = frame.placed(t.x[t.corners[kWidth * i][0]]);
-    std::copy_n(origin.data(), 3, leaf.origin);
-    for (std::size_t lane = 0; lane < kWidth; ++lane) {
-      const std::size_t triangle = kWidth * i + lane;
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vec3 x = triangle < t.size() ? Vec3(frame.placed(t.x[t.corners[triangle][corner]]) - origin)
-                                           : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          leaf.x[3 * corner + axis][lane] = static_cast<float>(x[static_cast<Eigen::Index>(axis)]);
-      }
-      if (triangle < t.size()) set_normals(leaf, lane, t, triangle);
-    }
-    set_extent(leaf);
+/// Calls `set(row, lane, corner, axis)` for the corners of a leaf.
+template <class Set>
+void for_corners(const MeasuredTriangles& t, std::size_t leaf, const Set& set) {
+  for (std::size_t lane = 0; lane < std::min<std::size_t>(kWidth, t.size() - kWidth * leaf); ++lane) {
+    const auto& corners = t.corners[kWidth * leaf + lane];
+    for (std::size_t row = 0; row < 9; ++row) set(row, lane, t.x[corners[row / 3]], static_cast<Eigen::Index>(row % 3));
   }
+}
+
+/// The steps reach from the middle of the leaf to its farthest side; they are not so small that squares overflow.
+void fill_leaf(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, Leaf<double>& leaf) {
+  constexpr double kSteps = 32767, kMostAUnit = 1e12;
+  const Bounds b = bounds_of_leaf(t, number);
+  const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max), origin = (lo + hi) / 2;
+  const double half = ((hi - lo) / 2).maxCoeff();
+  std::copy_n(origin.data(), 3, leaf.origin);
+  leaf.steps_a_unit = half * kMostAUnit > kSteps ? kSteps / half : kMostAUnit;
+  for_corners(t, number, [&](std::size_t row, std::size_t lane, const Vec3& x, Eigen::Index axis) {
+    const double steps = ((x[axis] - frame.middle[axis]) * frame.unit - origin[axis]) * leaf.steps_a_unit;
+    leaf.x[row][lane] = static_cast<std::int16_t>(std::lrint(steps));
+  });
+}
+
+void fill_leaf(const MeasuredTriangles& t, std::size_t number, const BoxFrame&, Leaf<float>& leaf) {
+  const Vec3 origin = t.x[t.corners[kWidth * number][0]];
+  std::copy_n(origin.data(), 3, leaf.origin);
+  std::fill_n(&leaf.x[0][0], 9 * kWidth, std::numeric_limits<float>::infinity());
+  for_corners(t, number, [&](std::size_t row, std::size_t lane, const Vec3& x, Eigen::Index axis) {
+    leaf.x[row][lane] = static_cast<float>(x[axis] - origin[axis]);
+  });
+  for (std::size_t lane = 0; lane < std::min<std::size_t>(kWidth, t.size() - kWidth * number); ++lane)
+    set_normals(leaf, lane, t, kWidth * number + lane);
+}
+
+template <class Real>
+std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& frame) {
+  auto leaves = large_vector<Leaf<Real>>((t.size() + kWidth - 1) / kWidth);
+  for (std::size_t i = 0; i < leaves.size(); ++i) fill_leaf(t, i, frame, leaves[i]);
   return leaves;
 }
 

@@ -25,7 +25,7 @@ enum class Precision {
 /// of the additions of a query depends on its centre and the radii alone: any number of threads, and any processor,
 /// gives the same bits. Triangles of any size, also zero, and any topology.
 /// Cost: a query, about the square root of the number of triangles in the ball; building, n log n. Memory beside the
-/// triangles: `bytes()`, about 86 a triangle in double and 78 in fast.
+/// triangles: `bytes()`, about 36 a triangle in double and 78 in fast.
 class MeasureTree final : public BallSum {
  public:
   explicit MeasureTree(MeasuredTriangles triangles, Precision precision = Precision::Double);

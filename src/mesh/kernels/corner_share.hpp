@@ -71,7 +71,7 @@ struct Plane {
 };
 
 template <class Real, class V>
-inline Plane<V> plane_of(const Corners<V>& t, V radius_sq) {
+[[gnu::always_inline]] inline Plane<V> plane_of(const Corners<V>& t, V radius_sq) {
   Plane<V> p;
   p.e1 = t.x1 - t.x0;
   p.e2 = t.x2 - t.x0;

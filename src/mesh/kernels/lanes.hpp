@@ -128,6 +128,16 @@ inline VF narrowed(VD low, VD high) {
   return VF{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
 }
 
+inline VF widened(const std::int16_t* from) {
+#if defined(__AVX2__)
+  return _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))));
+#else
+  VF v;
+  for (int i = 0; i < 8; ++i) v[i] = static_cast<float>(from[i]);
+  return v;
+#endif
+}
+
 /// Moves the lanes of a mask to the front. The other lanes then hold what the first one held.
 template <class V>
 struct Compression;

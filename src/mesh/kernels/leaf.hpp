@@ -63,18 +63,31 @@ inline void place(const ChosenCorners& leaf, int at, const double* centre, Place
   p.least = least;
 }
 
+inline VF row_of(const Leaf<float>& leaf, int row) {
+  return load<VF>(leaf.x[row]);
+}
+inline VF row_of(const Leaf<double>& leaf, int row) {
+  return widened(leaf.x[row]);
+}
+inline double origin_from(const Leaf<float>& leaf, int axis, const double* centre) {
+  return leaf.origin[axis] - centre[axis];
+}
+inline double origin_from(const Leaf<double>& leaf, int axis, const double* centre) {
+  return (leaf.origin[axis] - centre[axis]) * leaf.steps_a_unit;
+}
+
 /// In floats the squared distance of a corner o + a, o the origin of the leaf, is taken as 2 o.a + a.a over o.o, for
 /// the sake of digits: on the rim of a large ball both are small.
 template <class Real>
-inline void place(const Leaf<Real>& leaf, const double* centre, Placed<float>& p) {
+[[gnu::always_inline]] inline void place(const Leaf<Real>& leaf, const double* centre, Placed<float>& p) {
   const VF zero = spread(0.0F);
   VF a_sq = zero, b_sq = zero, c_sq = zero, least = zero;
   p.base = 0;
   const auto add_axis = [&](int axis) {
-    const double o = leaf.origin[axis] - centre[axis];
+    const double o = origin_from(leaf, axis, centre);
     p.base += o * o;
     const VF by = spread(static_cast<float>(o)), twice = by + by;
-    const VF a = load<VF>(leaf.x[axis]), b = load<VF>(leaf.x[3 + axis]), c = load<VF>(leaf.x[6 + axis]);
+    const VF a = row_of(leaf, axis), b = row_of(leaf, 3 + axis), c = row_of(leaf, 6 + axis);
     a_sq += a * (twice + a);
     b_sq += b * (twice + b);
     c_sq += c * (twice + c);

@@ -3,8 +3,8 @@
 
 #include "leaf.hpp"
 
-// Leaves of a tree in doubles: floats tell which triangles the sphere cuts, and by how far they may err; the corners
-// of those triangles come from the mesh. Included by kernel files alone.
+// Leaves of a tree in doubles: whole steps tell which triangles the sphere cuts, and by how far they may err; the
+// corners of those triangles come from the mesh. Included by kernel files alone.
 
 namespace kappa::kernels {
 namespace {
@@ -71,7 +71,7 @@ inline void name(Named& named, VF triangles, MF turns, unsigned mask) {
   named.count += __builtin_popcount(mask);
 }
 
-/// Hands triangles on, of which the floats leave open what the sphere does to them.
+/// Hands triangles on, of which the steps leave open what the sphere does to them.
 inline void add_unclear(const Rim<double>& rim, VF triangles, unsigned mask) {
   std::uint32_t ids[kWidth];
   store(ids, triangles);
@@ -89,29 +89,35 @@ inline void add_unclear(const Rim<double>& rim, VF triangles, unsigned mask) {
   }
 }
 
-/// Adds a leaf to one ball. A corner's squared distance is off by less than `doubt`, in which 6e-7 extent (2 distance +
-/// extent) are due to the floats and the rest to the doubles of centre and origin.
-inline void add_to_ball(const Rim<double>& rim, const Leaf<double>& leaf, const Placed<float>& p, VF triangles) {
-  const double reach = rim.ball.reach, extent = static_cast<double>(leaf.extent), bound = reach * reach - p.base;
-  const double doubt = 2e-6 * extent * (2 * reach + 3 * extent) + 1e-15 * (reach + extent) + 1e-36;
-  const VF low = spread(static_cast<float>(bound - doubt)), high = spread(static_cast<float>(bound + doubt));
+/// What the squared distance of a corner may be off by where it is about that of the radius, in steps: a corner is off
+/// by half a step along each axis, and floats by 4e-7 |a| (2 |o| + |a|) with |a| below 57,000.
+inline double doubt(double radius) {
+  return 2.2 * radius + 1.2e4;
+}
+
+/// Adds the triangles of a leaf, in the lanes of `present`, to one ball.
+inline void add_to_ball(const Rim<double>& rim, const Leaf<double>& leaf, const Placed<float>& p, VF triangles,
+                        MF present) {
+  const double radius = rim.ball.reach * leaf.steps_a_unit, radius_sq = radius * radius, off = doubt(radius);
+  const double bound = radius_sq - p.base;
+  const VF low = spread(static_cast<float>(bound - off)), high = spread(static_cast<float>(bound + off));
   const auto &d0 = p.distance_sq[0], &d1 = p.distance_sq[1], &d2 = p.distance_sq[2];
   const MF in0 = d0 <= low, in1 = d1 <= low, in2 = d2 <= low, some = (d0 <= high) | (d1 <= high) | (d2 <= high);
-  const MF clear = ~((in0 ^ (d0 <= high)) | (in1 ^ (d1 <= high)) | (in2 ^ (d2 <= high)));
-  const MF all = in0 & in1 & in2, cut = some & ~all & clear;
-  let_all_wait(rim, triangles, bits(all));
-  if (const unsigned unclear = bits(~clear)) add_unclear(rim, triangles, unclear);
+  const MF unclear = (in0 ^ (d0 <= high)) | (in1 ^ (d1 <= high)) | (in2 ^ (d2 <= high));
+  const MF all = in0 & in1 & in2, cut = some & ~all & ~unclear & present;
+  let_all_wait(rim, triangles, bits(all & present));
+  if (const unsigned open = bits(unclear & present)) add_unclear(rim, triangles, open);
   const MF one = MF{1, 1, 1, 1, 1, 1, 1, 1};
   const Turn<MF> turn(in0, in1, in2);
   Named &corners = rim.ball.named.corners, &outside = rim.ball.named.outside;
   name(corners, triangles, (turn.second & one) | (turn.third & (one + one)), bits(cut));
   if (corners.count > kRim) take_corners(rim);
-  const VF near = spread(static_cast<float>((reach * reach + doubt) * static_cast<double>(Reach<float>::kOut)));
-  name(outside, triangles, one ^ one, bits((p.least <= near) & ~some));
+  const VF near = spread(static_cast<float>((radius_sq + off) * static_cast<double>(Reach<float>::kOut)));
+  name(outside, triangles, one ^ one, bits((p.least <= near) & ~some & present));
   if (outside.count > kRim) take_outside(rim);
 }
 
-inline void add_to_ball(const Rim<float>& rim, const Leaf<float>& leaf, const Placed<float>& p, VF triangles) {
+inline void add_to_ball(const Rim<float>& rim, const Leaf<float>& leaf, const Placed<float>& p, VF triangles, MF) {
   add_placed(rim, leaf, p, triangles);
 }
 

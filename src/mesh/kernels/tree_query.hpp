@@ -139,8 +139,11 @@ class Walk {
     Placed<float> p;
     place(tree_.leaves[leaf], centre_of(query_, place_), p);
     const VF triangles = numbers_from(kWidth * leaf);
+    const std::size_t left = tree_.triangles.count - std::size_t{kWidth} * leaf;
+    const MF present = first_lanes(left < kWidth ? static_cast<float>(left) : float{kWidth});
     for (int radius = radii.first; radius < radii.last; ++radius) {
-      add_to_ball(Rim<Real>{tree_.triangles, query_, radius, query_.balls[radius]}, tree_.leaves[leaf], p, triangles);
+      const Rim<Real> rim = {tree_.triangles, query_, radius, query_.balls[radius]};
+      add_to_ball(rim, tree_.leaves[leaf], p, triangles, present);
     }
   }
 

@@ -32,22 +32,21 @@ struct alignas(64) BoxBlock {
   float lo[3][kWidth], hi[3][kWidth];
 };
 
-/// Corners of 8 triangles side by side, coordinate by coordinate, relative to a point of the leaf; infinity where there
-/// is no triangle.
+/// Corners of 8 triangles side by side, coordinate by coordinate, relative to a point of the leaf.
 template <class Real>
 struct Leaf;
 
-/// For doubles, in the unit of the tree: they tell triangles inside and outside from those on the rim, whose corners
-/// are then taken from the mesh.
+/// For doubles, in whole steps, the origin in the unit of the tree: they tell triangles inside and outside from those
+/// on the rim, whose corners are then taken from the mesh.
 template <>
-struct alignas(64) Leaf<double> {
-  float x[9][kWidth];
-  float extent;  ///< no corner is farther from the origin
+struct alignas(16) Leaf<double> {
+  std::int16_t x[9][kWidth];
   double origin[3];
+  double steps_a_unit;
 };
 
 /// For floats the triangles on the rim are taken from here too, and the differences of the second and third normal from
-/// the first are at hand.
+/// the first are at hand; infinity where there is no triangle.
 template <>
 struct alignas(32) Leaf<float> {
   float x[15][kWidth];
