@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
-#include "kappa/core/error.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/search/cloud_normals.hpp"
-#include "kappa/shapes/implicit.hpp"
 #include "kappa/shapes/noise.hpp"
 #include "kappa/surface/surface.hpp"
+#include "scans.hpp"
 
 namespace kappa::experiments {
 namespace {
@@ -38,34 +35,6 @@ Scan torus_scan(int n) {
   return torus(options);
 }
 
-TrueCurvature torus_truth(const Vec3& x, double major, double minor) {
-  const double to_axis = std::hypot(x.x(), x.y());
-  const double ring = (to_axis - major) / (minor * to_axis), tube = 1 / minor;
-  TrueCurvature k;
-  k.mean = 0.5 * (ring + tube);
-  k.gaussian = ring * tube;
-  k.k_min = std::min(ring, tube);
-  k.k_max = std::max(ring, tube);
-  return k;
-}
-
-Scan read_cloud(const std::string& name) {
-  const std::string path = std::string(KAPPA_CLOUDS) + "/" + name + ".pts";
-  std::ifstream file(path);
-  if (!file) throw Error(ErrorCode::FileNotFound, path + ": not found; the clouds of the tables belong there");
-  Scan scan;
-  for (std::string line; std::getline(file, line);) {
-    std::istringstream columns(line);
-    Vec3 x, u;
-    if (columns >> x[0] >> x[1] >> x[2] >> u[0] >> u[1] >> u[2]) {
-      scan.points.push_back(x);
-      scan.normals.push_back(u.normalized());
-    }
-  }
-  scan.width = scan.points.size();
-  return scan;
-}
-
 }  // namespace
 
 Subject torus(int n) {
@@ -90,11 +59,10 @@ Subject goursat(double h) {
 }
 
 Subject cloud(const std::string& name, double noise) {
-  Scan scan = read_cloud(name);
+  KnownScan known = published_scan(name);
+  Scan& scan = known.scan;
   Subject s;
-  for (const Vec3& x : scan.points)
-    s.truth.push_back(name.rfind("torus", 0) == 0 ? torus_truth(x, 6, 2)
-                                                  : surface_point(x, goursat_function(x)).curvature);
+  s.truth = std::move(known.truth);
   if (noise > 0) {
     const Normals exact = scan.normals;
     add_noise(scan, {NoiseKind::Normal, noise, 1, NoisyNormals::Keep, {}});
@@ -117,18 +85,21 @@ Errors errors(const CurvatureField& field, const std::vector<TrueCurvature>& tru
   Errors e;
   std::size_t n = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (std::isnan(truth[i].mean)) continue;
     const Curvatures& k = field.samples[i].k;
     if (k.status != PointStatus::Valid) {
       ++e.missing;
       continue;
     }
     ++n;
-    const auto add = [](double& to, double error) { to += error * error; };
-    add(e.mean, k.mean - truth[i].mean);
-    add(e.gaussian, k.gaussian - truth[i].gaussian);
-    add(e.k_min, k.k_min - truth[i].k_min);
-    add(e.k_max, k.k_max - truth[i].k_max);
-    e.max_mean = std::max(e.max_mean, std::abs(k.mean - truth[i].mean));
+    const auto add = [](double& sum_sq, double& max, double error) {
+      sum_sq += error * error;
+      max = std::max(max, std::abs(error));
+    };
+    add(e.mean, e.max_mean, k.mean - truth[i].mean);
+    add(e.gaussian, e.max_gaussian, k.gaussian - truth[i].gaussian);
+    add(e.k_min, e.max_k_min, k.k_min - truth[i].k_min);
+    add(e.k_max, e.max_k_max, k.k_max - truth[i].k_max);
   }
   for (double* sum : {&e.mean, &e.gaussian, &e.k_min, &e.k_max}) *sum = std::sqrt(*sum / static_cast<double>(n));
   return e;

@@ -31,11 +31,11 @@ Subject goursat(double h);
 /// length along its normal and the normals are fitted to planes of 24 neighbours.
 Subject cloud(const std::string& name, double noise = 0);
 
-/// Root mean square errors over the valid samples.
+/// Root mean square errors and the largest ones over the valid samples at points whose truth is known.
 struct Errors {
   double mean = 0, gaussian = 0, k_min = 0, k_max = 0;
-  double max_mean = 0;
-  std::size_t missing = 0;
+  double max_mean = 0, max_gaussian = 0, max_k_min = 0, max_k_max = 0;
+  std::size_t missing = 0;  ///< points whose truth is known but not the curvature
 };
 Errors errors(const CurvatureField& field, const std::vector<TrueCurvature>& truth);
 

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints the tables of docs/surfaces.md as Markdown: clouds_experiment [clean | cells | noise | rotations]...
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "kappa/core/error.hpp"
+#include "kappa/shapes/random.hpp"
+#include "rows.hpp"
+
+namespace kappa::experiments {
+namespace {
+
+const std::vector<int> kNeighbours = {10, 20, 40, 80}, kNeighboursUnderNoise = {20, 80, 250};
+
+/// A published cloud and the radii that its tables have.
+struct Case {
+  std::string name;
+  std::vector<double> radii, refined_radii, radii_under_noise;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = {
+      {"torus_010000", {0.4, 0.8, 1.6, 2.0, 2.4}, {0.8, 1.6, 2.0}, {0.8, 1.6, 2.4, 3.2, 4.5}},
+      {"goursat_010000", {0.5, 0.75, 1.0, 1.5, 2.0}, {1.0, 1.5, 2.0}, {1.5, 2.0, 3.0, 4.5, 6.0}},
+      {"torus-lidar", {0.3, 0.4, 0.6, 0.8, 1.2}, {0.6, 1.2}, {0.8, 1.6, 2.4, 3.2, 4.5}}};
+  return all;
+}
+
+CurvatureOptions at(double radius, int order, int refine = 0) {
+  CurvatureOptions options;
+  options.radii = {radius};
+  options.order = order;
+  options.refine = refine;
+  return options;
+}
+
+/// The row whose mean curvature is nearest to the truth among those that `wanted` picks, null if there is none.
+const Row* best(const std::vector<Row>& rows, const std::function<bool(const Row&)>& wanted) {
+  const Row* found = nullptr;
+  for (const Row& row : rows) {
+    if (wanted(row) && (!found || row.errors.mean < found->errors.mean)) found = &row;
+  }
+  return found;
+}
+
+void add_all_schemes(const Oriented& cloud, const std::vector<int>& neighbours, std::vector<Row>& rows) {
+  for (const TriangleScheme scheme : {TriangleScheme::Uniform, TriangleScheme::Independent, TriangleScheme::Hexagram,
+                                      TriangleScheme::AveragedHexagram}) {
+    for (const int k : neighbours) rows.push_back(scheme_row(cloud, scheme, k));
+  }
+}
+
+void add_all_balls(const Oriented& cloud, const std::vector<double>& radii, std::vector<Row>& rows) {
+  for (const double radius : radii) {
+    for (const int order : {1, 2, 3}) rows.push_back(umbrella_row(cloud, at(radius, order)));
+  }
+  rows.push_back(umbrella_row(cloud, at(cloud.automatic_radius, 1)));
+  rows.back().setting = "automatic: " + rows.back().setting;
+  CurvatureOptions own;
+  own.scale = ScaleChoice::PerPoint;
+  rows.push_back(umbrella_row(cloud, own));
+}
+
+std::vector<Row> clean_rows(const Case& c, const Oriented& cloud) {
+  std::vector<Row> rows;
+  add_all_schemes(cloud, kNeighbours, rows);
+  rows.push_back(umbrella_row(cloud, at(0, 1)));
+  add_all_balls(cloud, c.radii, rows);
+  for (const double radius : c.refined_radii) {
+    for (const int order : {2, 3}) {
+      for (const int levels : {1, 2}) rows.push_back(umbrella_row(cloud, at(radius, order, levels)));
+    }
+  }
+  return rows;
+}
+
+/// What was published of others, measured on the same file with exact normals and K = 20.
+struct Published {
+  const char* cloud;
+  const char* figures;
+};
+constexpr Published kPublished[] = {
+    {"torus_010000", "published averaged hexagram | 1.7e-3 | 2.7e-3 | 1.7e-3 | 170,000"},
+    {"torus_010000", "published hexagram | 2.2e-3 | | | 150,000 to 170,000"},
+    {"torus_010000", "published uniform, 100 triangles | 1.7e-3 | | | 65,000"},
+    {"torus_010000", "jets of degree 2 | 4.4e-3 | | 7.1e-3 | 35,000"},
+    {"torus_010000", "jets of degree 4 | 1.2e-4 | 1.6e-4 | 1.8e-4 | 9,000"},
+    {"torus_010000", "PCL PrincipalCurvatures | 8e-2 | | | "},
+    {"goursat_010000", "published averaged hexagram | 3.3e-3 | 2.8e-3 | 5.9e-3 | 170,000"},
+    {"goursat_010000", "published hexagram | 3.7e-3 | | | 150,000 to 170,000"},
+    {"goursat_010000", "published uniform, 100 triangles | 4.1e-3 | | | 65,000"},
+    {"goursat_010000", "jets of degree 2 | 4.0e-3 | | 6.0e-3 | 35,000"},
+    {"goursat_010000", "jets of degree 4 | 1.2e-4 | 1.4e-4 | 1.9e-4 | 9,000"},
+    {"torus-lidar", "published averaged hexagram | 4.1e-3 | | | 170,000"},
+    {"torus-lidar", "published hexagram | 2.2e-3 | 3.4e-3 | 3.8e-3 | 150,000 to 170,000"},
+    {"torus-lidar", "published uniform, 100 triangles | 3.7e-3 | | | 65,000"},
+    {"torus-lidar", "jets of degree 2 | 8.3e-3 | | 1.5e-2 | 35,000"},
+    {"torus-lidar", "jets of degree 4 | 6.0 | 10.6 | 5.8 | 9,000"}};
+
+void print_best(const char* method, const Row* row) {
+  if (!row) return;
+  std::printf("| %s: %s | %.1e | %.1e | %.1e | %s |\n", method, row->setting.c_str(), row->errors.mean,
+              row->errors.k_min, row->errors.k_max, speed(*row).c_str());
+}
+
+/// The best of each beside the published figures.
+void print_summary(const Case& c, const std::vector<Row>& rows) {
+  std::printf("\n### %s, exact normals: the best of each\n\n", c.name.c_str());
+  std::printf("| method | mean | k_min | k_max | points per second |\n|---|---|---|---|---|\n");
+  for (const Published& p : kPublished) {
+    if (c.name == p.cloud) std::printf("| %s |\n", p.figures);
+  }
+  for (const char* scheme : {"avg-hexagram", "hexagram", "uniform", "independent"})
+    print_best(scheme, best(rows, [&](const Row& r) { return r.surface == scheme && r.setting == "K = 20"; }));
+  const auto umbrella = [&](int order, bool refined) {
+    return best(rows,
+                [&](const Row& r) { return r.surface == "umbrella" && r.order == order && (r.refine > 0) == refined; });
+  };
+  for (const int order : {1, 2, 3}) print_best("umbrella", umbrella(order, false));
+  for (const int order : {2, 3}) print_best("umbrella", umbrella(order, true));
+  print_best("umbrella", umbrella(0, false));
+}
+
+void clean_tables() {
+  std::string full;
+  for (const Case& c : cases()) {
+    const KnownScan known = published_scan(c.name);
+    for (const bool exact : {true, false}) {
+      const Oriented cloud = exact ? with_exact_normals(known) : with_fitted_normals(known);
+      const std::vector<Row> rows = clean_rows(c, cloud);
+      if (exact) print_summary(c, rows);
+      full += table("### " + c.name + ", " + cloud.normals, rows);
+    }
+  }
+  std::printf("\n## Every setting, clean positions\n%s", full.c_str());
+}
+
+/// Surfaces that need more than points: the grid of a depth image, the rings of a sweep, a view from above.
+void cell_tables() {
+  const KnownScan points = published_scan("torus-lidar"), grid = organised_torus(points);
+  std::vector<Row> rows;
+  for (const auto& [radius, order] : {std::pair(0.4, 1), {0.6, 2}, {1.2, 3}}) {
+    for (const NormalsKind normals : {NormalsKind::Input, NormalsKind::Max}) {
+      rows.push_back(surface_row(grid, SurfaceKind::Grid, normals, at(radius, order)));
+      rows.push_back(surface_row(points, SurfaceKind::Delaunay, normals, at(radius, order)));
+    }
+    rows.push_back(surface_row(points, SurfaceKind::Umbrella, NormalsKind::Input, at(radius, order)));
+  }
+  std::printf("%s", table("## torus-lidar as depth image (80 x 40) and seen from above", rows).c_str());
+  const KnownScan sweep = goursat_sweep(48, 256);
+  rows.clear();
+  for (const auto& [radius, order] : {std::pair(0.5, 1), {1.0, 2}, {2.0, 3}}) {
+    for (const SurfaceKind kind : {SurfaceKind::Spinning, SurfaceKind::Grid}) {
+      for (const NormalsKind normals : {NormalsKind::Input, NormalsKind::Area})
+        rows.push_back(surface_row(sweep, kind, normals, at(radius, order)));
+    }
+    rows.push_back(surface_row(sweep, SurfaceKind::Umbrella, NormalsKind::Input, at(radius, order)));
+  }
+  std::printf("%s", table("## Goursat's surface swept from its middle (48 rings x 256 columns)", rows).c_str());
+}
+
+std::string cell(const Row* row) {
+  if (!row) return "";
+  return text("%.1e %.1e %.1e, %s", row->errors.mean, row->errors.k_min, row->errors.k_max, row->setting.c_str());
+}
+
+void print_noise_summary(const std::string& title, const std::vector<Row>& rows) {
+  const auto of = [&](const char* surface) { return best(rows, [&](const Row& r) { return r.surface == surface; }); };
+  const auto begins = [&](const char* words) {
+    return best(rows, [&](const Row& r) { return r.setting.rfind(words, 0) == 0; });
+  };
+  const auto balls = best(rows, [](const Row& r) { return r.surface == "umbrella" && r.order > 0; });
+  std::printf("| %s | %s | %s | %s | %s | %s |\n", title.c_str(), cell(of("uniform")).c_str(),
+              cell(of("avg-hexagram")).c_str(), cell(balls).c_str(), cell(begins("automatic")).c_str(),
+              cell(begins("own scale")).c_str());
+  std::fflush(stdout);
+}
+
+void noise_tables() {
+  std::printf("\n## Noise: the best setting of each (rms of mean, k_min, k_max)\n\n");
+  std::printf("| cloud, noise, normals | uniform | avg-hexagram | umbrella | automatic radius | own scales |\n");
+  std::printf("|---|---|---|---|---|---|\n");
+  std::string full;
+  for (const Case& c : cases()) {
+    const KnownScan known = published_scan(c.name);
+    for (const double per_cent : {0.5, 1.0, 2.0}) {
+      const KnownScan noisy = with_noise(known, per_cent);
+      const double wide = c.radii_under_noise.front();
+      for (Oriented cloud : {with_exact_normals(noisy), with_fitted_normals(noisy), with_fitted_normals(noisy, wide)}) {
+        cloud.runs = 1;
+        std::vector<Row> rows;
+        add_all_schemes(cloud, kNeighboursUnderNoise, rows);
+        add_all_balls(cloud, c.radii_under_noise, rows);
+        const std::string title = c.name + text(", %g %%, ", per_cent) + cloud.normals;
+        print_noise_summary(title, rows);
+        full += table("### " + title, rows);
+      }
+    }
+  }
+  std::printf("\n## Every setting under noise\n%s", full.c_str());
+}
+
+/// Hexagrams depend on how the axes lie: how much, over ten random rotations of the cloud.
+void rotation_table() {
+  std::printf("\n## Hexagrams of the cloud in ten random positions: least and greatest rms, K = 20\n\n");
+  std::printf("| cloud | scheme | mean | k_min | k_max |\n|---|---|---|---|---|\n");
+  for (const Case& c : cases()) {
+    for (const TriangleScheme scheme : {TriangleScheme::Hexagram, TriangleScheme::AveragedHexagram}) {
+      Errors least, most;
+      least.mean = least.k_min = least.k_max = std::numeric_limits<double>::infinity();
+      Random random(1);
+      for (int turn = 0; turn < 10; ++turn) {
+        const Mat3 rotation = Eigen::AngleAxisd(random.uniform(0, 2 * kPi), random.direction()).matrix();
+        const Errors e = scheme_row(with_exact_normals(rotated(published_scan(c.name), rotation)), scheme, 20).errors;
+        for (double Errors::*m : {&Errors::mean, &Errors::k_min, &Errors::k_max}) {
+          least.*m = std::min(least.*m, e.*m);
+          most.*m = std::max(most.*m, e.*m);
+        }
+      }
+      std::printf("| %s | %s | %.1e to %.1e | %.1e to %.1e | %.1e to %.1e |\n", c.name.c_str(), name(scheme),
+                  least.mean, most.mean, least.k_min, most.k_min, least.k_max, most.k_max);
+    }
+  }
+}
+
+const std::vector<std::pair<std::string, std::function<void()>>>& tables() {
+  static const std::vector<std::pair<std::string, std::function<void()>>> all = {
+      {"clean", clean_tables}, {"rotations", rotation_table}, {"cells", cell_tables}, {"noise", noise_tables}};
+  return all;
+}
+
+}  // namespace
+}  // namespace kappa::experiments
+
+int main(int argc, char** argv) {
+  using namespace kappa::experiments;
+  const std::vector<std::string> wanted(argv + 1, argv + argc);
+  try {
+    for (const auto& [name, print] : tables()) {
+      if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) print();
+    }
+  } catch (const kappa::Error& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
+  }
+}
