@@ -78,14 +78,13 @@ Oriented with_exact_normals(const KnownScan& known) {
           "exact normals"};
 }
 
-Oriented with_fitted_normals(const KnownScan& known, double radius) {
+Oriented with_fitted_normals(const KnownScan& known, std::optional<double> radius) {
   SurfaceOptions options = umbrella_with(NormalsKind::Pca);
-  if (radius > 0) options.normal_radius = radius;
+  options.normal_radius = radius;
   Surface surface = make_surface(known.scan, options);
   const double wrong = correct_signs(known.scan.normals, surface.u);
-  std::string planes = text(", planes of %d points", surface.normal_neighbours);
-  if (surface.normal_radius > 0) planes = text(", planes within %.2g", surface.normal_radius);
-  planes = (radius > 0 ? "chosen" : "automatic") + planes;
+  const std::string planes = surface.normal_radius > 0 ? text("planes within %.2g", surface.normal_radius)
+                                                       : text("planes of %d points", surface.normal_neighbours);
   return {known, surface.u, automatic_radius(surface), planes + text(" (own signs: %.2g %% wrong)", 100 * wrong)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ Oriented with_exact_normals(const KnownScan& known);
 
 /// Normals of fitted planes: as the program fits them if no radius is given, else to all points within `radius`. Their
 /// signs are those of the exact normals; `normals` tells how many the program itself would have given another.
-Oriented with_fitted_normals(const KnownScan& known, double radius = 0);
+Oriented with_fitted_normals(const KnownScan& known, std::optional<double> radius = {});
 
 /// The cloud turned about the origin.
 KnownScan rotated(const KnownScan& known, const Mat3& rotation);

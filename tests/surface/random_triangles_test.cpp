@@ -181,6 +181,49 @@ TEST(RandomTriangles, DuplicatesMissingPointsAndLines) {
   }
 }
 
+/// Ratios and measures of a sample belong together; with normals that are not parallel the corrected area is less.
+TEST(RandomTriangles, MeasuresAreThoseOfTheCurvatures) {
+  const auto cloud = clouds::torus(500, 12);
+  for (const TriangleScheme scheme : kSchemes) {
+    const CurvatureField f =
+        random_triangle_curvatures(clouds::positions(cloud), clouds::normals(cloud), options_of(scheme));
+    for (const CurvatureSample& s : f.samples) {
+      EXPECT_NEAR(s.mu1, 2 * s.k.mean * s.mu0, 1e-12 * s.area) << name(scheme);
+      EXPECT_NEAR(s.mu2, s.k.gaussian * s.mu0, 1e-12 * s.area) << name(scheme);
+      EXPECT_GT(s.area, s.mu0) << name(scheme);
+    }
+  }
+}
+
+/// What a point draws depends on its index in the cloud, not on whether others are valid.
+TEST(RandomTriangles, AnInvalidPointChangesNoDraw) {
+  const auto cloud = clouds::torus(300, 14);
+  std::vector<Vec3> x = clouds::positions(cloud);
+  const Normals u = clouds::normals(cloud);
+  for (const TriangleScheme scheme : {TriangleScheme::Uniform, TriangleScheme::Independent}) {
+    x[0] = Vec3(1000, 0, 0);
+    const CurvatureField far = random_triangle_curvatures(x, u, options_of(scheme));
+    x[0] = Vec3::Constant(kNaN);
+    const CurvatureField missing = random_triangle_curvatures(x, u, options_of(scheme));
+    for (std::size_t i = 1; i < x.size(); ++i) EXPECT_EQ(far.samples[i].mu1, missing.samples[i].mu1) << name(scheme);
+  }
+}
+
+TEST(RandomTriangles, TakesTheLargestNumbersAllowed) {
+  const std::vector<Vec3> x = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
+  const Normals u(3, Vec3::UnitZ());
+  const CurvatureField f = random_triangle_curvatures(x, u, {TriangleScheme::Uniform, 255, 1000000});
+  EXPECT_NEAR(f.samples[0].face_count, 1e6 * 6 / 27, 4 * std::sqrt(1e6 * 6 * 21) / 27);
+  EXPECT_NE(clouds::refusal([&] {
+              random_triangle_curvatures(x, u, {TriangleScheme::Uniform, 256, 100});
+            }).message.find("neighbours = 256"),
+            std::string::npos);
+  EXPECT_NE(clouds::refusal([&] {
+              random_triangle_curvatures(x, u, {TriangleScheme::Uniform, 20, 1000001});
+            }).message.find("triangles = 1000001"),
+            std::string::npos);
+}
+
 TEST(RandomTriangles, RefuseByName) {
   const std::vector<Vec3> x(5, Vec3::Zero());
   const Normals u(5, Vec3::UnitZ());
