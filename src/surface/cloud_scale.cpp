@@ -162,10 +162,11 @@ double variation_of(const std::vector<Curvatures6>& sample, double spacing, doub
     const BiasSq here = bias_sq(excesses(sample, static_cast<std::size_t>(step), noise));
     if (!here.certain(kLeast)) continue;
     if (here.certain(kAmple) || step + 2 == kRadii) return variation(step, here.mean);
-    // What barely passes is too large on average. The next radius knows better where it follows the same law, by which
-    // the square grows by four; at edges it does not.
+    // What barely passes may be chance, and is too large on average. The next radius knows better where it follows the
+    // same law, by which the square grows by four; at edges it does not.
     const BiasSq next = bias_sq(excesses(sample, static_cast<std::size_t>(step) + 1, noise));
-    const bool agrees = next.certain(kLeast) && next.mean / 4 > kAgreement * here.mean;
+    if (!next.certain(kLeast)) continue;
+    const bool agrees = next.mean / 4 > kAgreement * here.mean;
     return agrees ? variation(step + 1, next.mean) : variation(step, here.mean);
   }
   return 0;
