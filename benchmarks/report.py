@@ -182,6 +182,7 @@ def main():
     parser.add_argument("--min-time", type=float, default=0.2, help="seconds a repetition")
     options = parser.parse_args()
     common = [f"--benchmark_repetitions={options.repetitions}", "--benchmark_report_aggregates_only=true",
+              "--benchmark_enable_random_interleaving=true",
               f"--benchmark_min_time={options.min_time}"]
     at = os.path.join(options.build, "benchmarks")
     sums = run(os.path.join(at, "ball_sums_benchmark"), common + ["--benchmark_filter=" + options.filter])
