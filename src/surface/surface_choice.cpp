@@ -35,6 +35,20 @@ bool in_camera_frame(const std::vector<Vec3>& points, const Vec3& viewpoint) {
   });
 }
 
+/// Whether points lie steeply above and steeply below `viewpoint`, as ceiling and floor do for a scanner in a room, and
+/// no terrain does for any place.
+bool is_indoors(const std::vector<Vec3>& points, const Vec3& viewpoint) {
+  constexpr double kShare = 0.001;
+  std::size_t above = 0, below = 0;
+  for (const Vec3& x : points) {
+    const Vec3 d = x - viewpoint;
+    const double across = std::hypot(d.x(), d.y());
+    above += d.z() > across;
+    below += -d.z() > across;
+  }
+  return static_cast<double>(std::min(above, below)) > kShare * static_cast<double>(points.size());
+}
+
 /// Whether the points are low for their extent in plan, and mostly above `viewpoint`.
 bool is_terrain_above(const std::vector<Vec3>& points, const Bounds& b, const Vec3& viewpoint) {
   constexpr double kLow = 0.35;
@@ -52,7 +66,7 @@ bool is_credible(const Scan& scan, const Vec3& viewpoint) {
   const double distance = distance_from(b, viewpoint);
   const bool stated = !scan.viewpoint->isZero(0) || scan.is_organised() || in_camera_frame(scan.points, viewpoint);
   if (stated) return distance <= kFar;
-  return distance <= 1 && !is_terrain_above(scan.points, b, viewpoint);
+  return distance <= 1 && (is_indoors(scan.points, viewpoint) || !is_terrain_above(scan.points, b, viewpoint));
 }
 
 /// Whether a cloud is an unorganised sweep of a spinning scanner: such files have points at the scanner itself, or

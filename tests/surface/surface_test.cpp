@@ -93,6 +93,22 @@ TEST(MakeSurface, UmbrellaOfAMeshIgnoresItsFaces) {
   EXPECT_FALSE(s.mesh.weights.empty());
 }
 
+TEST(MakeSurface, AScannerInARoomIsLookedAtFromAllSides) {
+  Scan room;  // wide and low as terrain is, most of it above the scanner
+  room.viewpoint = Vec3::Zero();
+  for (int i = -20; i <= 20; ++i) {
+    for (int j = -15; j <= 15; ++j) {
+      room.points.emplace_back(0.5 * i, 0.5 * j, 1.7);
+      if ((i + j) % 2 == 0) room.points.emplace_back(0.5 * i, 0.5 * j, -1.3);
+    }
+  }
+  const Surface s = make_surface(room, {});
+  EXPECT_EQ(s.orientation, Orientation::Viewpoint);
+  for (std::size_t i = 0; i < room.points.size(); ++i) EXPECT_LT(s.u[i].z() * room.points[i].z(), 0);
+  for (Vec3& x : room.points) x.z() = std::abs(x.z());  // floor and ceiling of another storey
+  EXPECT_EQ(make_surface(room, {}).orientation, Orientation::Up);
+}
+
 TEST(MakeSurface, DuplicatesGetTheNormalOfThePointThatStandsForThem) {
   Scan scan = hill_scan(Vec3::Zero());
   const std::size_t n = scan.points.size();
