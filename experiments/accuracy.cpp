@@ -13,6 +13,7 @@
 #include "kappa/mesh/scale.hpp"
 #include "kappa/mesh/statistics.hpp"
 #include "subjects.hpp"
+#include "tables.hpp"
 
 namespace kappa::experiments {
 namespace {
@@ -153,28 +154,15 @@ void plain_table() {
             errors(estimate_curvatures(g.mesh, g.u, options, all_threads())[0], g.truth));
 }
 
-const std::vector<std::pair<std::string, std::function<void()>>>& tables() {
-  static const std::vector<std::pair<std::string, std::function<void()>>> all = {{"plain", plain_table},
-                                                                                 {"orders", orders_table},
-                                                                                 {"clouds", clouds_table},
-                                                                                 {"refine", refine_table},
-                                                                                 {"scale", scale_table}};
-  return all;
-}
-
 }  // namespace
 }  // namespace kappa::experiments
 
 int main(int argc, char** argv) {
   using namespace kappa::experiments;
-  const std::vector<std::string> wanted(argv + 1, argv + argc);
-  try {
-    for (const auto& [name, print] : tables()) {
-      const bool chosen = std::find(wanted.begin(), wanted.end(), name) != wanted.end();
-      if (wanted.empty() || chosen) print();
-    }
-  } catch (const kappa::Error& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 1;
-  }
+  return print_tables(argc, argv,
+                      {{"plain", plain_table},
+                       {"orders", orders_table},
+                       {"clouds", clouds_table},
+                       {"refine", refine_table},
+                       {"scale", scale_table}});
 }

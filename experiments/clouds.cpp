@@ -13,6 +13,7 @@
 #include "kappa/core/error.hpp"
 #include "kappa/shapes/random.hpp"
 #include "rows.hpp"
+#include "tables.hpp"
 
 namespace kappa::experiments {
 namespace {
@@ -240,24 +241,12 @@ void rotation_table() {
   }
 }
 
-const std::vector<std::pair<std::string, std::function<void()>>>& tables() {
-  static const std::vector<std::pair<std::string, std::function<void()>>> all = {
-      {"clean", clean_tables}, {"rotations", rotation_table}, {"cells", cell_tables}, {"noise", noise_tables}};
-  return all;
-}
-
 }  // namespace
 }  // namespace kappa::experiments
 
 int main(int argc, char** argv) {
   using namespace kappa::experiments;
-  const std::vector<std::string> wanted(argv + 1, argv + argc);
-  try {
-    for (const auto& [name, print] : tables()) {
-      if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) print();
-    }
-  } catch (const kappa::Error& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 1;
-  }
+  return print_tables(
+      argc, argv,
+      {{"clean", clean_tables}, {"rotations", rotation_table}, {"cells", cell_tables}, {"noise", noise_tables}});
 }

@@ -21,7 +21,8 @@ void check(const std::vector<Vec3>& points, const Normals& normals, const Greedy
     throw Error(ErrorCode::InvalidArgument, "greedy projection: " + message);
   };
   if (points.size() != normals.size())
-    refuse(std::to_string(points.size()) + " points but " + std::to_string(normals.size()) + " normals");
+    refuse(std::to_string(points.size()) + " points but " + std::to_string(normals.size()) +
+           " normals: give one a point");
   if (!(options.radius >= 0 && std::isfinite(options.radius)))
     refuse("radius " + std::to_string(options.radius) + ": give a positive length, or 0 for five spacings");
   if (!(options.mu > 0 && std::isfinite(options.mu)))
@@ -99,8 +100,9 @@ CloudSurface greedy_surface(const Vec3& origin, const std::vector<Vec3>& points,
   check(points, normals, options);
   const Given given = give(points, normals);
   if (given.source.empty())
-    throw Error(ErrorCode::InvalidData, "greedy projection: none of the " + std::to_string(points.size()) +
-                                            " points has a finite position and a normal");
+    throw Error(ErrorCode::InvalidData,
+                "greedy projection: none of the " + std::to_string(points.size()) +
+                    " points has a finite position and a normal; give normals, or use umbrella");
   constexpr double kSpacings = 5;
   const double radius = options.radius > 0 ? options.radius : kSpacings * median_spacing(points);
   CloudSurface surface;

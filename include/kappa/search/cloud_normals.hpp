@@ -26,7 +26,7 @@ enum class NormalFit {
   /// Resists edges and outliers. Planes are fitted by Tukey's weights; every point takes the plane, among those of its
   /// neighbours, that fits its points best and passes nearest, so that beside an edge it is that of the side the point
   /// lies on (after the filter of Kuwahara et al., 1976), and refits it to its own neighbours near that plane. The
-  /// normal is that of their quadric where they are nearly all, else of their plane. Costs some five times as much.
+  /// normal is that of their quadric where they are nearly all, else of their plane. Takes two to three times as long.
   Robust
 };
 
