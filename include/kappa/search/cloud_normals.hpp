@@ -23,9 +23,11 @@ enum class NormalFit {
   /// grows by half with it. Where the neighbours do not fix a quadric, fewer than 12 or in a line, the plane takes its
   /// place.
   Quadric,
-  /// Resists edges and outliers. Planes are fitted by Tukey's weights; every point takes the plane, among those of its
-  /// neighbours, that fits its points best and passes nearest, so that beside an edge it is that of the side the point
-  /// lies on (after the filter of Kuwahara et al., 1976), and refits it to its own neighbours near that plane. The
+  /// Resists edges and outliers. Planes are fitted by Tukey's weights; every point takes its own, or that of a
+  /// neighbour
+  /// which fits its points and passes by the point more than twice as well, so that beside an edge it is that of the
+  /// side the point lies on (after the filter of Kuwahara et al., 1976), and refits it to its own neighbours near it.
+  /// The
   /// normal is that of their quadric where they are nearly all, else of their plane. Takes two to three times as long.
   Robust
 };
