@@ -130,12 +130,16 @@ void scale_table() {
   for (const double noise : {0.1, 0.3, 0.5})
     print_own_scale("torus 200 x 200, noise " + std::to_string(noise).substr(0, 3) + ", 4 averagings",
                     noisy_torus(200, noise, 4, 7));
+  for (const std::uint64_t seed : {21, 22, 23, 24})
+    print_own_scale("torus 200 x 200, noise 0.3, 4 averagings, seed " + std::to_string(seed),
+                    noisy_torus(200, 0.3, 4, seed));
+  print_own_scale("Goursat h = 0.25, noise 0.3, 4 averagings", noisy_goursat(0.25, 0.3, 4, 21));
   for (const char* name : {"torus_010000", "goursat_010000", "torus-lidar"}) {
     print_own_scale(name, cloud(name));
     // Extents are 16, 19.3 and 13.9.
     for (const double per_cent : {0.5, 1.0, 2.0}) {
       const double extent = name[0] == 'g' ? 19.3 : 16;
-      print_own_scale(std::string(name) + ", noise " + std::to_string(per_cent).substr(0, 3) + " %, fitted planes",
+      print_own_scale(std::string(name) + ", noise " + std::to_string(per_cent).substr(0, 3) + " %, fitted normals",
                       cloud(name, per_cent / 100 * extent));
     }
   }

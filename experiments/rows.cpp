@@ -79,13 +79,13 @@ Oriented with_exact_normals(const KnownScan& known) {
 }
 
 Oriented with_fitted_normals(const KnownScan& known, std::optional<double> radius) {
-  SurfaceOptions options = umbrella_with(NormalsKind::Pca);
+  SurfaceOptions options = umbrella_with(NormalsKind::Quadric);
   options.normal_radius = radius;
   Surface surface = make_surface(known.scan, options);
   const double wrong = correct_signs(known.scan.normals, surface.u);
-  const std::string planes = surface.normal_radius > 0 ? text("planes within %.2g", surface.normal_radius)
-                                                       : text("planes of %d points", surface.normal_neighbours);
-  return {known, surface.u, automatic_radius(surface), planes + text(" (own signs: %.2g %% wrong)", 100 * wrong)};
+  const std::string fit = surface.normal_radius > 0 ? text("quadrics within %.2g", surface.normal_radius)
+                                                    : text("quadrics of %d points", surface.normal_neighbours);
+  return {known, surface.u, automatic_radius(surface), fit + text(" (own signs: %.2g %% wrong)", 100 * wrong)};
 }
 
 KnownScan rotated(const KnownScan& known, const Mat3& rotation) {

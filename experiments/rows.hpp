@@ -37,8 +37,8 @@ struct Oriented {
 
 Oriented with_exact_normals(const KnownScan& known);
 
-/// Normals of fitted planes: as the program fits them if no radius is given, else to all points within `radius`. Their
-/// signs are those of the exact normals; `normals` tells how many the program itself would have given another.
+/// Normals of fitted quadrics: as the program fits them if no radius is given, else to all points within `radius`.
+/// Their signs are those of the exact normals; `normals` tells how many the program itself would have given another.
 Oriented with_fitted_normals(const KnownScan& known, std::optional<double> radius = {});
 
 /// The cloud turned about the origin.

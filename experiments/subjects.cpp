@@ -35,14 +35,7 @@ Scan torus_scan(int n) {
   return torus(options);
 }
 
-}  // namespace
-
-Subject torus(int n) {
-  return subject_of(torus_scan(n));
-}
-
-Subject noisy_torus(int n, double amount, int passes, std::uint64_t seed) {
-  Scan scan = torus_scan(n);
+Subject with_mesh_noise(Scan scan, double amount, int passes, std::uint64_t seed) {
   NoiseOptions noise;
   noise.amount = amount;
   noise.seed = seed;
@@ -52,10 +45,26 @@ Subject noisy_torus(int n, double amount, int passes, std::uint64_t seed) {
   return s;
 }
 
+}  // namespace
+
+Subject torus(int n) {
+  return subject_of(torus_scan(n));
+}
+
+Subject noisy_torus(int n, double amount, int passes, std::uint64_t seed) {
+  return with_mesh_noise(torus_scan(n), amount, passes, seed);
+}
+
 Subject goursat(double h) {
   GoursatOptions options;
   options.step = h;
   return subject_of(kappa::goursat(options));
+}
+
+Subject noisy_goursat(double h, double amount, int passes, std::uint64_t seed) {
+  GoursatOptions options;
+  options.step = h;
+  return with_mesh_noise(kappa::goursat(options), amount, passes, seed);
 }
 
 Subject cloud(const std::string& name, double noise) {
@@ -67,7 +76,7 @@ Subject cloud(const std::string& name, double noise) {
     const Normals exact = scan.normals;
     add_noise(scan, {NoiseKind::Normal, noise, 1, NoisyNormals::Keep, {}});
     SurfaceOptions options;
-    options.normals = NormalsKind::Pca;
+    options.normals = NormalsKind::Quadric;
     options.orientation = Orientation::Up;
     Surface surface = make_surface(scan, options);
     for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -26,9 +26,12 @@ Subject noisy_torus(int n, double amount, int passes, std::uint64_t seed = 1);
 /// Goursat's surface by marching cubes of step h with its true normals.
 Subject goursat(double h);
 
+/// Noise as of the torus on Goursat's surface by marching cubes of step h.
+Subject noisy_goursat(double h, double amount, int passes, std::uint64_t seed = 1);
+
 /// Umbrella surface (16 neighbours) of a published cloud with exact normals: "torus_010000", "goursat_010000",
 /// "torus-lidar", read from the folder of clouds. With `noise` > 0 each point is moved by a normal deviate of that
-/// length along its normal and the normals are fitted to planes of 24 neighbours.
+/// length along its normal and the normals are those that the program fits, with the signs of the exact ones.
 Subject cloud(const std::string& name, double noise = 0);
 
 /// Root mean square errors and the largest ones over the valid samples at points whose truth is known.

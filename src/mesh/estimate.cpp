@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "curvature_sample.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/measure_tree.hpp"
 #include "kappa/mesh/orders.hpp"
@@ -18,37 +19,6 @@ namespace kappa {
 namespace {
 
 constexpr std::size_t kBlock = 4096;
-
-bool usable(const Vec3& x, const Vec3& u) {
-  return is_finite(x) && is_finite(u) && !u.isZero(0);
-}
-
-CurvatureRatios ratios_of(const BallMeasures& ball, const Vec3& u) {
-  if (ball.face_count > 0) return curvature_ratios(ball.sum, u);
-  CurvatureRatios empty;
-  empty.status = PointStatus::Empty;
-  return empty;
-}
-
-/// The sample of a point from the measures of the balls of its order, the first of `radius`, 0 at a vertex limit.
-CurvatureSample make_sample(const BallMeasures* const* balls, int order, double radius, const Vec3& u) {
-  std::array<CurvatureRatios, kMaxOrder> ratios;
-  for (int b = 0; b < order; ++b) ratios[static_cast<std::size_t>(b)] = ratios_of(*balls[b], u);
-  const OrderedRatios of_order = extrapolate(ratios.data(), order);
-  const BallMeasures& ball = *balls[0];
-  CurvatureSample s;
-  s.k = curvatures(of_order.ratios, u);
-  s.std_error = of_order.std_error;
-  s.radius = radius;
-  s.order = order;
-  s.face_count = ball.face_count;
-  s.area = ball.sum.area;
-  s.mu0 = ball.sum.mu0;
-  s.mu1 = ball.sum.mu1();
-  s.mu2 = ball.sum.mu2;
-  if (radius > 0) s.coverage = s.area / (kPi * radius * radius);
-  return s;
-}
 
 /// The different balls that radii of one order need, and which of them each radius is made of.
 struct BallPlan {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "kappa/core/error.hpp"
 #include "kappa/search/cloud_normals.hpp"
@@ -39,6 +40,14 @@ Orientation choose_by_slope(const Normals& u) {
   return 2 * flat >= all ? Orientation::Up : Orientation::Consistent;
 }
 
+/// Turns normals that were fitted to the points to the side from which the faces turn counter-clockwise.
+void orient_as_faces(const Mesh& mesh, Normals& u, const Execution& run) {
+  const Normals of_faces = vertex_normals(mesh, NormalWeights::Area, run);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (u[i].dot(of_faces[i]) < 0) u[i] = -u[i];
+  }
+}
+
 void orient(const Scan& scan, const SurfaceChoice& choice, Surface& s) {
   if (s.orientation == Orientation::Auto) s.orientation = choose_by_slope(s.u);
   if (s.orientation == Orientation::Up) orient_along(Vec3::UnitZ(), s.u);
@@ -59,25 +68,59 @@ NormalFit fit_of(NormalsKind kind) {
   return kind == NormalsKind::Robust ? NormalFit::Robust : NormalFit::Quadric;
 }
 
-Normals fitted_normals(const Positions& positions, const SurfaceOptions& options, Surface& s, const Execution& run) {
+/// Of the scale of the points, `s.scale`. Fits within `radius` unless the options or noise ask for another.
+Normals normals_at_scale(const Positions& positions, const SurfaceOptions& options, double radius, Surface& s,
+                         const Execution& run) {
   NormalFitOptions fit;
   fit.fit = fit_of(s.normals);
   fit.neighbours = options.normal_neighbours.value_or(fit.neighbours);
-  s.scale = measure_scale(positions, stage(run, 0.0, 0.2));
   if (options.normal_radius) {
     fit.radius = *options.normal_radius;
   } else if (!options.normal_neighbours) {
-    fit.radius = automatic_normal_radius(s.scale, options.measured_radius);
+    fit.radius = std::max(automatic_normal_radius(s.scale, options.measured_radius), radius);
   }
   s.normal_neighbours = fit.neighbours;
   s.normal_radius = fit.radius;
-  return fitted_normals(positions, fit, stage(run, 0.2, 1.0));
+  return fitted_normals(positions, fit, run);
+}
+
+Normals fitted_normals(const Positions& positions, const SurfaceOptions& options, Surface& s, const Execution& run) {
+  s.scale = measure_scale(positions, stage(run, 0.0, 0.2));
+  return normals_at_scale(positions, options, 0, s, stage(run, 0.2, 1.0));
 }
 
 /// Normals of the points, where they do not come from faces.
 Normals point_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
   if (s.normals == NormalsKind::Input) return normalised(scan.normals);
   return fitted_normals(Positions(scan.points), options, s, run);
+}
+
+/// Error of the mean curvature in a ball of five spacings, with normals that are averages within `normal_radius`.
+double expected_error(const CloudScale& scale, double normal_radius) {
+  const double radius = kAutomaticRadius * scale.spacing;
+  return std::hypot(curvature_noise(scale, radius, normal_radius), curvature_bias(scale, radius, normal_radius));
+}
+
+/// Whether normals of so many neighbours are better than those of faces, which are averages over one spacing.
+bool is_too_noisy_for_faces(const CloudScale& scale) {
+  const double of_neighbours = std::sqrt(NormalFitOptions{}.neighbours / kPi) * scale.spacing;
+  return expected_error(scale, of_neighbours) < expected_error(scale, scale.spacing);
+}
+
+/// Normals of the faces, or where nothing but the data decides and the vertices are noisy, of quadrics of these.
+Normals mesh_normals(const Scan& scan, const SurfaceOptions& options, Surface& s, const Execution& run) {
+  if (s.kind == SurfaceKind::Faces && options.normals == NormalsKind::Auto) {
+    const Positions positions(scan.points);
+    const CloudScale scale = measure_scale(positions, stage(run, 0.0, 0.2));
+    if (is_too_noisy_for_faces(scale)) {
+      s.normals = NormalsKind::Quadric;
+      s.scale = scale;
+      const double radius = std::min(kNormalShare * kAutomaticRadius * scale.spacing,
+                                     options.measured_radius.value_or(std::numeric_limits<double>::infinity()));
+      return normals_at_scale(positions, options, radius, s, stage(run, 0.2, 1.0));
+    }
+  }
+  return vertex_normals(s.mesh, weights_of(s.normals), run);
 }
 
 /// Compares the normals at the ends of every side of the faces.
@@ -136,8 +179,8 @@ void use_turned_faces(const Scan& scan, const SurfaceOptions& options, const Sur
   if (s.kind == SurfaceKind::Delaunay) make_delaunay(scan, options, s, first);
   if (s.kind == SurfaceKind::Grid) make_grid(scan, options, *choice.viewpoint, s, first);
   if (s.kind == SurfaceKind::Spinning) make_spinning(scan, options, *choice.viewpoint, s, first);
-  s.u = from_faces(s.normals) ? vertex_normals(s.mesh, weights_of(s.normals), second)
-                              : point_normals(scan, options, s, second);
+  s.u = from_faces(s.normals) ? mesh_normals(scan, options, s, second) : point_normals(scan, options, s, second);
+  if (s.orientation == Orientation::AsFaces && !from_faces(s.normals)) orient_as_faces(s.mesh, s.u, second);
   orient(scan, choice, s);
 }
 

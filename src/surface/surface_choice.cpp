@@ -124,7 +124,7 @@ void choose_orientation(const SurfaceOptions& options, bool seen, SurfaceChoice&
     c.orientation = options.orientation;
   } else if (c.normals == NormalsKind::Input) {
     c.orientation = Orientation::Input;
-  } else if (from_faces(c.normals) && has_turned_faces(c.kind)) {
+  } else if (c.kind == SurfaceKind::Faces || (from_faces(c.normals) && has_turned_faces(c.kind))) {
     c.orientation = Orientation::AsFaces;
   } else if (c.kind == SurfaceKind::Delaunay) {
     c.orientation = Orientation::Up;

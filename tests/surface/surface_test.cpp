@@ -84,6 +84,19 @@ TEST(MakeSurface, FittedNormalsPointUpOrToTheScanner) {
   for (const Vec3& u : make_surface(far, options).u) EXPECT_GT(u.z(), 0.5);
 }
 
+TEST(MakeSurface, NormalsFittedToAMeshPointToTheSideOfItsFaces) {
+  Scan scan = sphere_scan(true, false);
+  SurfaceOptions options;
+  for (const NormalsKind kind : {NormalsKind::Pca, NormalsKind::Quadric, NormalsKind::Robust}) {
+    options.normals = kind;
+    const Surface s = make_surface(scan, options);
+    EXPECT_EQ(s.orientation, Orientation::AsFaces);
+    for (std::size_t i = 0; i < s.u.size(); ++i) EXPECT_GT(s.u[i].dot(scan.points[i].normalized()), 0.99) << name(kind);
+  }
+  options.orientation = Orientation::Up;
+  for (const Vec3& u : make_surface(scan, options).u) EXPECT_GE(u.z(), 0);
+}
+
 TEST(MakeSurface, UmbrellaOfAMeshIgnoresItsFaces) {
   SurfaceOptions options;
   options.surface = SurfaceKind::Umbrella;

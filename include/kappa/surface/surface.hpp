@@ -38,7 +38,9 @@ std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind);
 
 /// Where the corrected normals come from.
 enum class NormalsKind {
-  Auto,   ///< Input if the scan has normals; else Max on a mesh, Area on a sweep, Quadric on other clouds
+  Auto,   ///< Input if the scan has normals; else Max on a mesh, Area on a sweep, Quadric on other clouds. Quadric, of
+          ///< the vertices within kNormalShare of five spacings or more, on a mesh too if these are so noisy that in a
+          ///< ball of five spacings the mean curvature is better with fits to 24 of them (curvature_noise, _bias)
   Input,  ///< those of the scan
   Geometric,
   Area,
@@ -59,12 +61,12 @@ bool from_faces(NormalsKind kind);
 /// camera, or else within one diagonal and not below the middle of terrain; points
 /// steeply above and below it are a room and no terrain.
 enum class Orientation {
-  Auto,       ///< Input for the scan's normals, AsFaces for normals from faces; for those fitted to a cloud Viewpoint
-              ///< if one is given or that of the scan is credible, else Up where most planes are flatter than 45
-              ///< degrees, else Consistent
-  Input,      ///< as the scan's normals are
-  AsFaces,    ///< the side from which the faces turn counter-clockwise
-  Up,         ///< z not negative
+  Auto,     ///< Input for the scan's normals, AsFaces on a mesh and for normals from faces; for those fitted to a
+            ///< cloud Viewpoint if one is given or that of the scan is credible, else Up where most planes are flatter
+            ///< than 45 degrees, else Consistent
+  Input,    ///< as the scan's normals are
+  AsFaces,  ///< the side from which the faces turn counter-clockwise
+  Up,       ///< z not negative
   Viewpoint,  ///< towards the scanner
   Consistent  ///< orient_consistently
 };
