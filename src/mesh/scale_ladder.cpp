@@ -81,8 +81,8 @@ Points points_of(const MeasuredTriangles& t, const Normals& u, const Surrounding
 Ladder::Ladder(std::vector<double> radii, const std::vector<ThinnedGraph>& levels, const Points& points)
     : levels_(levels), points_(points), radii_(std::move(radii)), at_(radii_.size()) {
   for (std::size_t level = 0; level < levels.size(); ++level)
-    spacings_.push_back(points.typical_spacing * std::sqrt(static_cast<double>(points.size()) /
-                                                           static_cast<double>(levels[level].size())));
+    spacings_.push_back(points.typical_spacing *
+                        std::sqrt(static_cast<double>(points.size()) / static_cast<double>(levels[level].size())));
   for (const double radius : radii_) {
     std::size_t level = 0;
     while (level + 1 < levels.size() && spacings_[level + 1] <= kApart * radius) ++level;

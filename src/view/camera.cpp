@@ -12,6 +12,7 @@ namespace kappa {
 namespace {
 
 constexpr double kLowTerrain = 0.35;  // height / extent in plan below which a scan is taken for terrain
+constexpr double kSteep = 0.26;       // cosine of 75 degrees: a surface of heights over the plan is seldom steeper
 constexpr double kViewAngle = 22;     // degrees; mild perspective
 
 /// Extent of the middle 99 % along an axis: a few stray returns do not make a terrain tall.
@@ -28,6 +29,18 @@ double extent(const std::vector<Vec3>& points, int axis) {
   };
   const double low = at(0.005);
   return at(0.995) - low;
+}
+
+/// Whether the cloud is a surface of heights over the plan, of any relief: nine of ten normals lean up.
+bool is_seen_from_above(const Scan& scan) {
+  if (scan.is_mesh() || scan.normals.size() != scan.points.size()) return false;
+  std::size_t up = 0, all = 0;
+  for (const Vec3& u : scan.normals) {
+    if (!is_finite(u) || u.isZero(0)) continue;
+    ++all;
+    up += u.z() > kSteep * u.norm();
+  }
+  return 10 * up > 9 * all;
 }
 
 /// Whether the points lie in the frame of a depth camera: all within 45 degrees of its z axis, seen from its origin.
@@ -51,6 +64,7 @@ Camera automatic_camera(const Scan& scan) {
   const double x = extent(scan.points, 0), y = extent(scan.points, 1), z = extent(scan.points, 2);
   if (z < kLowTerrain * std::sqrt(x * y)) return {-18, 48, 1, UpAxis::Z};
   if (in_camera_frame(scan)) return {15, 20, 1, UpAxis::NegativeY};
+  if (is_seen_from_above(scan)) return {-18, 48, 1, UpAxis::Z};
   if (!scan.is_mesh()) return {-35, 22, 1, UpAxis::Z};
   if (y < kLowTerrain * std::sqrt(x * z)) return {-18, 48, 1, UpAxis::Y};
   return {-35, 22, 1, UpAxis::Y};

@@ -61,7 +61,8 @@ TEST(Thinning, ClustersHoldTheirPointAndLieWithinReach) {
   for (std::size_t i = 0; i < graph.size(); ++i) {
     const Index centre = levels[1].points[levels[1].cluster[i]];
     if (centre == static_cast<Index>(i)) {
-      for (const Index* j = graph.begin(i); j != graph.end(i); ++j) EXPECT_NE(levels[1].points[levels[1].cluster[*j]], *j);
+      for (const Index* j = graph.begin(i); j != graph.end(i); ++j)
+        EXPECT_NE(levels[1].points[levels[1].cluster[*j]], *j);
     }
     EXPECT_TRUE(centre == static_cast<Index>(i) || are_neighbours(graph, static_cast<Index>(i), centre)) << i;
   }

@@ -286,6 +286,11 @@ TEST(AutomaticCamera, TerrainIsSeenFromTheSouthAndAbove) {
   EXPECT_LE(camera.elevation, 50);
   EXPECT_LE(std::abs(camera.azimuth), 30);
   EXPECT_LT(automatic_camera(block).elevation, 35);
+  // However high the hills: a normal that leans up says that there is a below.
+  block.normals.assign(block.points.size(), Vec3(0.6, 0, 0.8));
+  EXPECT_GE(automatic_camera(block).elevation, 45);
+  for (std::size_t i = 0; i < block.normals.size(); i += 5) block.normals[i] = Vec3(1, 0, 0);
+  EXPECT_LT(automatic_camera(block).elevation, 35);
 }
 
 TEST(AutomaticCamera, YIsUpForMeshesThatAreNotLowInZ) {

@@ -24,10 +24,10 @@ struct Camera {
   UpAxis up = UpAxis::Z;
 };
 
-/// The view of a figure that names none. Terrain (low for its extent in plan): oblique, from the south, 45 to 50
-/// degrees up. A cloud in the frame of a depth camera (within 45 degrees of the z axis, normals towards the origin):
-/// from near the camera. Anything else: three-quarter view. Up is z for clouds and for whatever is low in z, y for
-/// other meshes, as modellers have it.
+/// The view of a figure that names none. Terrain (low for its extent in plan, or a cloud of which nine of ten normals
+/// lean up): oblique, from the south, 45 to 50 degrees up. A cloud in the frame of a depth camera (within 45 degrees of
+/// the z axis, normals towards the origin): from near the camera. Anything else: three-quarter view. Up is z for clouds
+/// and for whatever is low in z, y for other meshes, as modellers have it.
 Camera automatic_camera(const Scan& scan);
 
 enum class Shading {
