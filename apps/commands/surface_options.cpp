@@ -173,7 +173,7 @@ void declare(CLI::App& command, MeasureArguments& options) {
       ->option_text("N=1");
   command
       .add_option("--refine", options.refine,
-                  "Split every face in four N times on a curved patch before it is measured; for exact normals alone")
+                  "Split every face in four N times on a curved patch before it is measured; for good normals")
       ->check(CLI::Range(0, kMostRefinements))
       ->capture_default_str();
   command

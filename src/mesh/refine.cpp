@@ -8,7 +8,10 @@
 
 #include <Eigen/Geometry>
 
+#include "edge_curve.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/estimate.hpp"
+#include "kappa/mesh/measure_tree.hpp"
 #include "kappa/mesh/statistics.hpp"
 
 namespace kappa {
@@ -16,29 +19,16 @@ namespace {
 
 constexpr std::size_t kBlock = 256;
 
-struct Vertex {
-  Vec3 x, u;
-};
-
-/// Every operation gives the same bits with a and b exchanged.
-Vertex midpoint(const Vertex& a, const Vertex& b) {
-  const Vec3 e = b.x - a.x;
-  Vertex m;
-  m.x = 0.5 * (a.x + b.x) - 0.125 * (e.dot(a.u) * a.u - e.dot(b.u) * b.u);
-  m.u = a.u + b.u;
-  const double length_sq = e.squaredNorm();
-  if (length_sq > 0) m.u -= (2 * e.dot(m.u) / length_sq) * e;
-  const double length = m.u.norm();
-  if (length > 0) m.u /= length;
-  return m;
-}
+/// Of the balls that shape operators are measured in: order 2 is as good as 3 there, and needs fewer of them.
+constexpr double kShapeRadius = 2;  ///< median edges
+constexpr int kShapeOrder = 2;
 
 /// The points of a triangle at barycentric coordinates (side - i - j, i, j) / side, i + j <= side.
 class Patch {
  public:
   explicit Patch(int levels) : side_(std::size_t{1} << levels), points_((side_ + 1) * (side_ + 2) / 2) {}
 
-  void fill(const Vertex& a, const Vertex& b, const Vertex& c) {
+  void fill(const CurvePoint& a, const CurvePoint& b, const CurvePoint& c) {
     at(0, 0) = a;
     at(side_, 0) = b;
     at(0, side_) = c;
@@ -46,27 +36,27 @@ class Patch {
   }
 
   std::size_t side() const { return side_; }
-  const std::vector<Vertex>& points() const { return points_; }
+  const std::vector<CurvePoint>& points() const { return points_; }
 
   /// Place of a point in points().
   std::size_t place(std::size_t i, std::size_t j) const { return (j * (2 * side_ + 3 - j)) / 2 + i; }
 
  private:
-  Vertex& at(std::size_t i, std::size_t j) { return points_[place(i, j)]; }
+  CurvePoint& at(std::size_t i, std::size_t j) { return points_[place(i, j)]; }
 
   void add_midpoints(std::size_t step) {
     const std::size_t half = step / 2;
     for (std::size_t j = 0; j < side_; j += step) {
       for (std::size_t i = 0; i + j < side_; i += step) {
-        at(i + half, j) = midpoint(at(i, j), at(i + step, j));
-        at(i, j + half) = midpoint(at(i, j), at(i, j + step));
-        at(i + half, j + half) = midpoint(at(i + step, j), at(i, j + step));
+        at(i + half, j) = curved_midpoint(at(i, j), at(i + step, j));
+        at(i, j + half) = curved_midpoint(at(i, j), at(i, j + step));
+        at(i + half, j + half) = curved_midpoint(at(i + step, j), at(i, j + step));
       }
     }
   }
 
   std::size_t side_;
-  std::vector<Vertex> points_;
+  std::vector<CurvePoint> points_;
 };
 
 MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
@@ -81,8 +71,8 @@ MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
 /// Splits the triangles of `from` into slots of `to`, each triangle its own.
 class Refiner {
  public:
-  Refiner(const MeasuredTriangles& from, int levels, MeasuredTriangles& to)
-      : from_(from), to_(to), levels_(levels), parts_(std::size_t{1} << (2 * levels)) {
+  Refiner(const MeasuredTriangles& from, const ShapeOperators& shapes, int levels, MeasuredTriangles& to)
+      : from_(from), shapes_(shapes), to_(to), levels_(levels), parts_(std::size_t{1} << (2 * levels)) {
     const std::size_t side = std::size_t{1} << levels;
     added_points_ = (side + 1) * (side + 2) / 2 - 3;
   }
@@ -102,7 +92,7 @@ class Refiner {
   }
 
  private:
-  Vertex vertex(Index v) const { return {from_.x[v], from_.u[v].normalized()}; }
+  CurvePoint vertex(Index v) const { return {from_.x[v], from_.u[v].normalized(), shapes_[v]}; }
 
   void store_points(const Patch& patch, std::size_t t, std::vector<Index>& names) {
     std::size_t next = from_.x.size() + t * added_points_;
@@ -150,6 +140,7 @@ class Refiner {
   }
 
   const MeasuredTriangles& from_;
+  const ShapeOperators& shapes_;
   MeasuredTriangles& to_;
   int levels_;
   std::size_t parts_, added_points_;
@@ -166,14 +157,26 @@ void check_levels(int levels, std::size_t triangles) {
                                                 " triangles, more than 2^31 - 1: give less");
 }
 
-}  // namespace
+/// Adds the mean over its face to every barycentre.
+void add_barycentres(const MeasuredTriangles& t, ShapeOperators& shapes) {
+  shapes.resize(t.x.size(), Mat3::Zero());
+  std::vector<int> corners(t.x.size());
+  for (const auto& c : t.corners) {
+    if (c[2] < t.vertices) continue;
+    shapes[c[2]] += shapes[c[0]];
+    ++corners[c[2]];
+  }
+  for (std::size_t i = t.vertices; i < t.x.size(); ++i) {
+    const Vec3 u = t.u[i].normalized();
+    const Mat3 plane = Mat3::Identity() - u * u.transpose();
+    shapes[i] = plane * shapes[i] * plane / corners[i];
+  }
+}
 
-MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, int levels, const Execution& run) {
-  check_levels(levels, mesh.faces.corners().size());
-  MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.2));
-  if (levels == 0) return coarse;
+MeasuredTriangles refined(const MeasuredTriangles& coarse, ShapeOperators shapes, int levels, const Execution& run) {
+  add_barycentres(coarse, shapes);
   MeasuredTriangles fine;
-  Refiner refiner(coarse, levels, fine);
+  Refiner refiner(coarse, shapes, levels, fine);
   fine.vertices = coarse.vertices;
   fine.dropped_faces = coarse.dropped_faces;
   fine.x = coarse.x;
@@ -184,9 +187,55 @@ MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, int 
   fine.weights.resize(fine.corners.size());
   fine.faces.resize(fine.corners.size());
   fine.measures.resize(fine.corners.size());
-  parallel_for(coarse.size(), kBlock, stage(run, 0.2, 1),
-               [&](std::size_t begin, std::size_t end, int) { refiner.split(begin, end); });
+  parallel_for(coarse.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { refiner.split(begin, end); });
   return fine;
+}
+
+Mat3 shape_of(const Curvatures& k) {
+  if (k.status != PointStatus::Valid) return Mat3::Constant(kNaN);
+  return k.k_min * k.dir_min * k.dir_min.transpose() + k.k_max * k.dir_max * k.dir_max.transpose();
+}
+
+/// Shape operators at the vertices of the mesh that the triangles were made of.
+ShapeOperators measured_shapes(MeasuredTriangles triangles, const Normals& normals, double radius,
+                               const Execution& run) {
+  CurvatureOptions options;
+  options.radii = {radius};
+  options.order = kShapeOrder;
+  const MeasureTree balls(std::move(triangles));
+  const std::vector<CurvatureField> fields = estimate_curvatures(balls, normals, options, run);
+  ShapeOperators shapes;
+  shapes.reserve(normals.size());
+  for (const CurvatureSample& s : fields.front().samples) shapes.push_back(shape_of(s.k));
+  return shapes;
+}
+
+}  // namespace
+
+ShapeOperators estimate_shape_operators(const Mesh& mesh, const Normals& normals, const Execution& run) {
+  const MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.1));
+  const double radius = kShapeRadius * median_edge_length(mesh);
+  if (!(radius > 0)) return ShapeOperators(normals.size(), Mat3::Constant(kNaN));
+  ShapeOperators shapes = measured_shapes(coarse, normals, radius, stage(run, 0.1, 0.3));
+  return measured_shapes(refined(coarse, std::move(shapes), 1, stage(run, 0.3, 0.5)), normals, radius,
+                         stage(run, 0.5, 1));
+}
+
+MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, const ShapeOperators& shapes, int levels,
+                                  const Execution& run) {
+  check_levels(levels, mesh.faces.corners().size());
+  if (shapes.size() != mesh.vertices.size())
+    throw Error(ErrorCode::InvalidArgument, std::to_string(shapes.size()) + " shape operators for " +
+                                                std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
+  MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.2));
+  return levels == 0 ? coarse : refined(coarse, shapes, levels, stage(run, 0.2, 1));
+}
+
+MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, int levels, const Execution& run) {
+  check_levels(levels, mesh.faces.corners().size());
+  if (levels == 0) return measure_triangles(mesh, normals, QuadMeasures::Split, run);
+  const ShapeOperators shapes = estimate_shape_operators(mesh, normals, stage(run, 0, 0.6));
+  return measure_refined(mesh, normals, shapes, levels, stage(run, 0.6, 1));
 }
 
 double normal_roughness(const Mesh& mesh, const Normals& normals) {
