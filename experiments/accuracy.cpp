@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <utility>
@@ -67,17 +68,43 @@ void clouds_table() {
   print_orders("torus-lidar", cloud("torus-lidar"), {0.6, 1.2});
 }
 
+/// How a surface is split before it is measured.
+struct Splitting {
+  int levels;
+  bool pn = false;  ///< on PN triangles
+};
+
+MeasuredTriangles split(const Subject& s, const Splitting& how) {
+  if (how.levels == 0) return measure_triangles(s.mesh, s.u);
+  if (!how.pn) return measure_refined(s.mesh, s.u, how.levels);
+  return measure_refined(s.mesh, s.u, ShapeOperators(s.u.size(), Mat3::Constant(kNaN)), how.levels);
+}
+
+constexpr Splitting kSplittings[] = {{0}, {2, true}, {1}, {2}, {3}};
+
+std::string name_of(const Splitting& how) {
+  if (how.levels == 0) return "plain";
+  return (how.pn ? "PN triangles, split " : "refined ") + std::to_string(how.levels) +
+         (how.levels > 1 ? " times" : " time");
+}
+
+CurvatureOptions at(double radius, int order) {
+  CurvatureOptions options;
+  options.radii = {radius};
+  options.order = order;
+  return options;
+}
+
 void print_refined(const std::string& name, const Subject& s, double radius, int order) {
-  for (const int levels : {0, 1, 2, 3}) {
-    CurvatureOptions options;
-    options.radii = {radius};
-    options.order = order;
-    options.refine = levels;
-    char text[40];
-    std::snprintf(text, sizeof(text), ", refined %d times", levels);
-    print_row(label(name, radius, order) + text,
-              errors(estimate_curvatures(s.mesh, s.u, options, all_threads())[0], s.truth));
+  for (const Splitting& how : kSplittings) {
+    const MeasureTree balls(split(s, how));
+    print_row(label(name, radius, order) + ", " + name_of(how),
+              errors(estimate_curvatures(balls, s.u, at(radius, order), all_threads())[0], s.truth));
   }
+}
+
+void print_roughness(const char* name, const Subject& s) {
+  std::printf("%s %.3f, ", name, normal_roughness(s.mesh, s.u));
 }
 
 void refine_table() {
@@ -87,18 +114,69 @@ void refine_table() {
   print_refined("torus_010000", cloud("torus_010000"), 1.6, 3);
   const Subject cloudy = cloud("goursat_010000");
   print_refined("goursat_010000", cloudy, 1.0, 2);
-  print_refined("goursat_010000", cloudy, 1.0, 3);
-  print_refined("torus-lidar", cloud("torus-lidar"), 0.6, 2);
+  print_refined("goursat_010000", cloudy, 0.9, 3);
+  const Subject lidar = cloud("torus-lidar");
+  print_refined("torus-lidar", lidar, 0.6, 2);
+  print_refined("torus-lidar", lidar, 0.6, 3);
   const Subject mesh = goursat(0.25);
   print_refined("Goursat h = 0.25", mesh, 0.5, 2);
   print_refined("Goursat h = 0.25", mesh, 1.0, 3);
-  print_refined("torus 150 x 150, noise 0.3, 10 averagings", noisy_torus(150, 0.3, 10), 1.5, 2);
-  for (const double h : {0.5, 0.25})
-    std::printf("\nroughness of the normals: Goursat h = %g %.3f", h, normal_roughness(goursat(h).mesh, goursat(h).u));
   const Subject noisy = noisy_torus(150, 0.3, 10);
-  std::printf(", torus_010000 %.3f, noisy torus, 10 averagings %.3f\n",
-              normal_roughness(cloud("torus_010000").mesh, cloud("torus_010000").u),
-              normal_roughness(noisy.mesh, noisy.u));
+  print_refined("torus 150 x 150, noise 0.3, 10 averagings", noisy, 1.5, 2);
+  std::printf("\nroughness of the normals: ");
+  print_roughness("Goursat h = 0.5", goursat(0.5));
+  print_roughness("Goursat h = 0.25", mesh);
+  print_roughness("torus_010000", cloud("torus_010000"));
+  print_roughness("torus-lidar", lidar);
+  print_roughness("noisy torus", noisy);
+  std::printf("\n");
+}
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Of one thread; bytes are those of the triangles with their tree.
+struct Cost {
+  double splitting, balls, bytes;
+};
+
+Cost cost(const Subject& s, const Splitting& how, double radius, int order) {
+  const double start = cpu_seconds();
+  MeasuredTriangles t = split(s, how);
+  const double is_split = cpu_seconds();
+  const double points = static_cast<double>(t.x.size() * 2 * sizeof(Vec3));
+  const double parts = static_cast<double>(
+      t.size() * (sizeof(t.corners[0]) + sizeof(t.weights[0]) + sizeof(t.measures[0]) + sizeof(t.faces[0])));
+  const MeasureTree balls(std::move(t));
+  estimate_curvatures(balls, s.u, at(radius, order));
+  return {is_split - start, cpu_seconds() - is_split, points + parts + static_cast<double>(balls.bytes())};
+}
+
+void print_cost(const std::string& name, const Subject& s, double radius, int order) {
+  double plain = 0;
+  for (const Splitting& how : kSplittings) {
+    std::vector<double> splitting, balls;
+    Cost c{};
+    for (int run = 0; run < 5; ++run) {
+      c = cost(s, how, radius, order);
+      splitting.push_back(c.splitting);
+      balls.push_back(c.balls);
+    }
+    const double to_split = percentile(splitting, 50), to_sum = percentile(balls, 50);
+    if (how.levels == 0) plain = to_split + to_sum;
+    std::printf("| %s, %s | %.1f | %.1f | %.1f | %.0f |\n", label(name, radius, order).c_str(), name_of(how).c_str(),
+                to_split / plain, to_sum / plain, (to_split + to_sum) / plain,
+                c.bytes / static_cast<double>(s.mesh.faces.size()));
+    std::fflush(stdout);
+  }
+}
+
+void cost_table() {
+  std::printf("\n## Cost of refinement, in CPU times of the plain run\n\n");
+  std::printf("| surface | splitting | tree and balls | all | bytes a face |\n|---|---|---|---|---|\n");
+  print_cost("torus_010000", cloud("torus_010000"), 1.6, 3);
+  print_cost("goursat_010000", cloud("goursat_010000"), 0.9, 3);
 }
 
 /// What was chosen, its error, and the error that it was said to have over the true one.
@@ -168,5 +246,6 @@ int main(int argc, char** argv) {
                        {"orders", orders_table},
                        {"clouds", clouds_table},
                        {"refine", refine_table},
+                       {"cost", cost_table},
                        {"scale", scale_table}});
 }
