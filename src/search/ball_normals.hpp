@@ -9,12 +9,13 @@
 
 namespace kappa {
 
-/// Fits to the finite, distinct points in the closed ball of `radius` around each; the zero vector where they are fewer
-/// than `least` or do not span a plane. Of more than kMostInBall candidates around a point every m-th is taken.
-/// Points are visited cell by cell of a grid, whose candidates lie side by side in memory: many times faster than a
-/// search for as many nearest neighbours.
-Normals ball_normals(const std::vector<Vec3>& points, double radius, std::size_t least, NormalFit fit,
-                     const Execution& run);
+class PointBlocks;
+
+/// Fits to the distinct points in the closed ball of `radius` around each; the zero vector where they are fewer than
+/// `least` or do not span a plane. Of more than kMostInBall candidates around a point every m-th is taken.
+/// Points that follow each other share their candidates: many times faster than a search for as many nearest
+/// neighbours.
+Normals ball_normals(const PointBlocks& points, double radius, std::size_t least, NormalFit fit, const Execution& run);
 inline constexpr std::size_t kMostInBall = 8192;
 
 /// By how much the ball of a quadric grows where the centroid of its `count` points lies `offset` radii from its

@@ -15,7 +15,7 @@
 namespace kappa {
 namespace {
 
-constexpr std::size_t kBlock = 256;
+constexpr std::size_t kBlock = 1024;
 
 /// Spreads equal positions to equal places, 0 and -0 alike.
 std::uint64_t hash_of(const Vec3& x) {
@@ -47,14 +47,16 @@ Plane plane_of(const std::vector<Vec3>& points, const std::vector<Index>& neighb
 /// Fits to the nearest neighbours of one point after the other; one thread's worth of memory.
 class NearestFits {
  public:
-  NearestFits(const std::vector<Vec3>& points, const NeighbourSearch& search, const NormalFitOptions& options)
-      : points_(points), search_(search), options_(options) {}
+  NearestFits(const std::vector<Vec3>& points, const PointBlocks& search, NormalFit fit)
+      : points_(points), search_(search), fit_(fit) {}
 
-  Vec3 normal(Index point) {
-    const auto count = static_cast<std::size_t>(options_.neighbours);
-    const double radius = find(point, count);
+  /// From its neighbours, as PointBlocks::nearest finds them.
+  Vec3 normal(Index point, const std::vector<Index>& neighbours, const std::vector<double>& distances_sq) {
+    const std::size_t count = neighbours.size();
+    const double radius = std::sqrt(distances_sq.back());
+    found_ = neighbours;
     const Plane plane = plane_of(points_, found_);
-    if (options_.fit == NormalFit::Plane || plane.normal.isZero(0)) return plane.normal;
+    if (fit_ == NormalFit::Plane || plane.normal.isZero(0)) return plane.normal;
     const QuadricFit quadric = fit(point, plane.normal, radius);
     const double growth = growth_of_ball(plane.offset / radius, count);
     const auto more = static_cast<std::size_t>(growth * growth * static_cast<double>(count));
@@ -76,8 +78,8 @@ class NearestFits {
   }
 
   const std::vector<Vec3>& points_;
-  const NeighbourSearch& search_;
-  const NormalFitOptions& options_;
+  const PointBlocks& search_;
+  const NormalFit fit_;
   std::vector<Index> found_;
   std::vector<double> distances_sq_;
 };
@@ -85,9 +87,15 @@ class NearestFits {
 /// Normals of those that have none yet, from their nearest neighbours.
 void fit_nearest(const Positions& positions, const NormalFitOptions& options, const Execution& run, Normals& normals) {
   parallel_for(positions.x.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    NearestFits fits(positions.x, positions.search, options);
-    for (auto i = static_cast<Index>(begin); i < end; ++i) {
-      if (normals[i].isZero(0)) normals[i] = fits.normal(i);
+    NearestFits fits(positions.x, positions.search, options.fit);
+    NearestInRuns nearest(positions.search, static_cast<std::size_t>(options.neighbours));
+    const auto lacks_normal = [&](std::size_t i) { return normals[i].isZero(0); };
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t first = i;
+      while (i < end && lacks_normal(i)) ++i;
+      nearest.for_each(first, i, [&](std::size_t point, const auto& indices, const auto& distances_sq) {
+        normals[point] = fits.normal(static_cast<Index>(point), indices, distances_sq);
+      });
     }
   });
 }
@@ -98,7 +106,7 @@ Normals normals_of_positions(const Positions& positions, const NormalFitOptions&
   const bool balls = options.radius > 0;
   if (balls) {
     const auto least = static_cast<std::size_t>(options.neighbours);
-    normals = ball_normals(positions.x, options.radius, least, options.fit, stage(run, 0.0, 0.9));
+    normals = ball_normals(positions.search, options.radius, least, options.fit, stage(run, 0.0, 0.9));
   }
   fit_nearest(positions, options, balls ? stage(run, 0.9, 1.0) : run, normals);
   return normals;

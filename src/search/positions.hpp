@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kappa/search/cloud_normals.hpp"
-#include "kappa/search/neighbours.hpp"
+#include "point_blocks.hpp"
 
 namespace kappa {
 
@@ -18,7 +18,7 @@ struct Positions {
   std::vector<Index> representative;  ///< of each point of the cloud, see find_duplicates
   std::vector<Index> original;        ///< index in the cloud of the first point at each position
   std::vector<Vec3> x;
-  NeighbourSearch search;  ///< among x
+  PointBlocks search;  ///< among x
 };
 
 /// Normals of the points of the cloud, see there.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kappa/core/types.hpp"
+#include "kernels/views.hpp"
 
 namespace kappa {
 
@@ -27,8 +28,8 @@ class QuadricFit {
   /// Adds the point at `d` from the place of the frame.
   void add(const Vec3& d);
 
-  /// Adds many points, by coordinates: x[i], y[i], z[i].
-  void add(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);
+  /// Adds many points, and leaves them turned into the frame.
+  void take(const kernels::PointColumns& points, std::size_t count);
 
   /// Variance of the residuals, a length squared; NaN for no more points than coefficients.
   double variance() const;

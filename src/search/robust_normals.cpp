@@ -25,7 +25,7 @@ struct Sheet {
 /// Fits to the neighbours of one point after the other; one thread's worth of memory.
 class SheetFits {
  public:
-  SheetFits(const std::vector<Vec3>& points, const NeighbourSearch& search, const NormalFitOptions& options)
+  SheetFits(const std::vector<Vec3>& points, const PointBlocks& search, const NormalFitOptions& options)
       : points_(points), search_(search), options_(options) {}
 
   /// Finds the neighbours of a point, itself among them.
@@ -33,7 +33,7 @@ class SheetFits {
     const auto least = static_cast<std::size_t>(options_.neighbours);
     centre_ = points_[point];
     found_.clear();
-    if (options_.radius > 0) search_.within(centre_, options_.radius, found_, distances_sq_);
+    if (options_.radius > 0) search_.within(centre_, options_.radius, found_, distances_sq_, work_);
     if (found_.size() < least) search_.nearest(centre_, least, found_, distances_sq_);
     radius_ = std::sqrt(*std::max_element(distances_sq_.begin(), distances_sq_.end()));
     weights_.assign(found_.size(), 1.0);
@@ -125,12 +125,13 @@ class SheetFits {
   }
 
   const std::vector<Vec3>& points_;
-  const NeighbourSearch& search_;
+  const PointBlocks& search_;
   const NormalFitOptions& options_;
   Vec3 centre_ = Vec3::Zero();
   double radius_ = 0;
   std::vector<Index> found_;
   std::vector<double> distances_sq_, weights_, sizes_;
+  PointBlocks::Work work_;
 };
 
 /// Calls `use(fits, point)` for every position.

@@ -9,7 +9,6 @@
 
 #include "../search/quadric_fit.hpp"
 #include "kappa/mesh/statistics.hpp"
-#include "kappa/search/neighbours.hpp"
 #include "on_positions.hpp"
 
 namespace kappa {
@@ -43,7 +42,7 @@ struct Place {
   double few = kNaN, many = kNaN;
 };
 
-Place measure_place(const std::vector<Vec3>& x, const NeighbourSearch& search, Index at) {
+Place measure_place(const std::vector<Vec3>& x, const PointBlocks& search, Index at) {
   std::vector<Index> near;
   std::vector<double> distances_sq;
   search.nearest(x[at], kMany, near, distances_sq);
@@ -89,12 +88,13 @@ double radius_of(int step, double spacing) {
   return kSmallest * spacing * std::pow(2.0, 0.5 * step);
 }
 
-Curvatures6 measure_curvatures(const std::vector<Vec3>& x, const NeighbourSearch& search, Index at, double spacing) {
+Curvatures6 measure_curvatures(const std::vector<Vec3>& x, const PointBlocks& search, Index at, double spacing) {
   std::vector<Index> near;
   std::vector<double> distances_sq;
+  PointBlocks::Work work;
   search.nearest(x[at], kMany, near, distances_sq);
   QuadricFit fit(fit_frame(x, near), radius_of(kRadii - 1, spacing));
-  search.within(x[at], radius_of(kRadii - 1, spacing), near, distances_sq);
+  search.within(x[at], radius_of(kRadii - 1, spacing), near, distances_sq, work);
   Curvatures6 result{};
   Vec3 sum = Vec3::Zero();
   double count = 0;
@@ -180,7 +180,7 @@ CloudScale measure_scale(const std::vector<Vec3>& points, const Execution& run) 
 
 CloudScale measure_scale(const Positions& positions, const Execution& run) {
   const std::vector<Vec3>& x = positions.x;
-  const NeighbourSearch& search = positions.search;
+  const PointBlocks& search = positions.search;
   CloudScale scale;
   if (x.size() < kMany) return scale;
   const std::size_t count = std::min(kSample, x.size());

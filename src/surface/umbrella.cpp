@@ -18,6 +18,7 @@ namespace kappa {
 namespace {
 
 constexpr Index kBlock = 256;
+constexpr std::size_t kSearchBlock = 4096;
 
 /// The triangles (p, a, b) that each point p contributes, as (a, b), in blocks of points that threads fill.
 class Stars {
@@ -83,16 +84,16 @@ Neighbourhoods find_neighbours(const Positions& positions, int neighbours, const
   n.items = large_vector<Index>(n.k * count, kNoIndex);
   n.reach.assign(count, 0.0);
   n.weights.assign(count, 0.0);
-  parallel_for(count, kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    std::vector<Index> found;
-    std::vector<double> distances_sq;
-    for (std::size_t i = begin; i < end; ++i) {
-      positions.search.nearest(positions.x[i], n.k + 1, found, distances_sq);
-      found.erase(std::remove(found.begin(), found.end(), static_cast<Index>(i)), found.end());
-      std::copy_n(found.begin(), n.k, n.items.begin() + static_cast<std::ptrdiff_t>(i * n.k));
+  parallel_for(count, kSearchBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    NearestInRuns nearest(positions.search, n.k + 1);
+    nearest.for_each(begin, end, [&](std::size_t i, const std::vector<Index>& found, const auto& distances_sq) {
+      Index *to = n.items.data() + i * n.k, *const last = to + n.k;
+      for (const Index j : found) {
+        if (j != i && to != last) *to++ = j;
+      }
       n.reach[i] = std::sqrt(distances_sq.back());
       if (n.k > 0) n.weights[i] = kTieBreak * distances_sq[1] * tie_break(positions.original[i]);
-    }
+    });
   });
   return n;
 }
@@ -112,7 +113,7 @@ class StarMaker {
     const auto* triangles = &compute(i, reach);
     if (2 * delaunay_.cell_radius() > reach) {
       // Points beyond the neighbourhood may still cut the cell: with all that can, the star is exact.
-      positions_.search.within(positions_.x[i], 2 * delaunay_.cell_radius(), found_, distances_sq_);
+      positions_.search.within(positions_.x[i], 2 * delaunay_.cell_radius(), found_, distances_sq_, work_);
       triangles = &compute(i, reach);
     }
     for (const auto& [a, b] : *triangles)
@@ -139,6 +140,7 @@ class StarMaker {
   DelaunayStar delaunay_;
   std::vector<Index> found_;
   std::vector<double> distances_sq_;
+  PointBlocks::Work work_;
   std::vector<DelaunayStar::Neighbour> neighbours_;
   std::vector<Stars::Edge> star_;
 };

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// What the kernels of points see: plain pointers alone. They are compiled once for each instruction set, so nothing
+// here or there may instantiate a function that other files share.
+
+namespace kappa::kernels {
+
+inline constexpr std::size_t kBlockPoints = 8;
+
+/// Points side by side, coordinate by coordinate; places that hold none are at infinity.
+struct alignas(64) PointBlock {
+  double x[3][kBlockPoints];
+};
+
+/// The boxes of 8 blocks, or of 8 nodes of the level below; one of nothing reaches from infinity to -infinity.
+struct alignas(64) PointBoxes {
+  double low[3][8], high[3][8];
+};
+
+/// Some of the blocks of a cloud.
+struct ChosenBlocks {
+  const PointBlock* blocks;
+  const std::uint32_t* chosen;
+  std::size_t count;
+
+  std::size_t places() const { return count * kBlockPoints; }
+};
+
+/// Points by coordinates; there is room for kBlockPoints more than there are.
+struct PointColumns {
+  double *x, *y, *z;
+};
+
+inline constexpr std::size_t kPlaneSums = 9;     ///< x y z xx xy xz yy yz zz
+inline constexpr std::size_t kQuadricSums = 21;  ///< x y xx xy yy, z zx zy zxx zxy zyy, zz, xxx ... yyy, xxxx ... yyyy
+
+/// The kernels of one instruction set. All give the same bits.
+struct PointTable {
+  /// Children of some nodes of a level that come within a distance of the box from `low` to `high`, in the order of the
+  /// nodes; how many they are. There is room for all, and 4 more.
+  std::size_t (*open)(const PointBoxes* level, const std::uint32_t* nodes, std::size_t count, const double* low,
+                      const double* high, double distance_sq, std::uint32_t* children);
+  /// Points of the chosen blocks within the closed ball, relative to its centre; how many they are.
+  std::size_t (*select)(const ChosenBlocks& from, const double* centre, double radius_sq, const PointColumns& to);
+  /// The same by index, block times kBlockPoints plus place, as doubles, and squared distance.
+  std::size_t (*measure)(const ChosenBlocks& from, const double* centre, double radius_sq, double* points,
+                         double* distances_sq);
+  /// For every value how many of the others are smaller. `values` has room as PointColumns have.
+  void (*rank)(double* values, std::size_t count, std::uint32_t* ranks);
+  /// Sums over points as kPlaneSums has them.
+  void (*plane_sums)(const PointColumns& points, std::size_t count, double* sums);
+  /// Turns points by a matrix, row by row, and sums over them as kQuadricSums has them.
+  void (*quadric_sums)(const PointColumns& points, std::size_t count, const double* matrix, double* sums);
+};
+
+const PointTable& baseline_point_table();
+#if defined(KAPPA_AVX2_KERNELS)
+const PointTable& avx2_point_table();
+#endif
+
+/// The table for this processor.
+const PointTable& best_point_table();
+
+}  // namespace kappa::kernels
