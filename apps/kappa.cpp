@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include <exception>
 #include <new>
 #include <string>
@@ -68,10 +72,21 @@ int run(int argc, char** argv) {
   }
 }
 
+/// What one stage frees the next one takes. Given back to the system in between, which the library does with whatever
+/// is larger than 128 KiB, it comes back page by page and cleared: a third of the system time of a run.
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int kLargest = 32 << 20;  // the library allows no more; what is larger still goes back at once
+  mallopt(M_MMAP_THRESHOLD, kLargest);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
+    keep_freed_memory();
     kappa::app::catch_interrupts();
     return run(argc, argv);
   } catch (const std::exception& error) {
