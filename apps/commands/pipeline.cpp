@@ -57,7 +57,8 @@ std::vector<CurvatureField> measure_points(const SurfaceResult& result, Triangle
 
 void check_fields(const std::string& input, const std::vector<CurvatureField>& fields) {
   for (const CurvatureField& field : fields) {
-    if (summarise(field).valid > 0) continue;
+    const auto valid = [](const CurvatureSample& s) { return s.k.status == PointStatus::Valid; };
+    if (std::any_of(field.samples.begin(), field.samples.end(), valid)) continue;
     if (field.own_scales())
       throw Error(ErrorCode::InvalidData, input + ": no point has a curvature at any radius; give other normals");
     throw Error(ErrorCode::InvalidData, input + ": no point has a curvature at radius " +

@@ -31,9 +31,14 @@ void DelaunayStar::clip(const Vec2& normal, double offset, int bisector) {
 
 const std::vector<std::pair<int, int>>& DelaunayStar::compute(const std::vector<Neighbour>& neighbours,
                                                               double own_weight, double reach) {
-  triangles_.clear();
   cell_ = {{{-reach, -reach}, -1}, {{reach, -reach}, -1}, {{reach, reach}, -1}, {{-reach, reach}, -1}};
-  for (std::size_t i = 0; i < neighbours.size() && cell_.size() > 2; ++i) {
+  return extend(neighbours, 0, own_weight, reach);
+}
+
+const std::vector<std::pair<int, int>>& DelaunayStar::extend(const std::vector<Neighbour>& neighbours,
+                                                             std::size_t first, double own_weight, double reach) {
+  triangles_.clear();
+  for (std::size_t i = first; i < neighbours.size() && cell_.size() > 2; ++i) {
     const Vec2& q = neighbours[i].position;
     const double distance_sq = q.squaredNorm();
     constexpr double kSamePlace = 1e-12;

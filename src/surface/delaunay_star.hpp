@@ -25,6 +25,10 @@ class DelaunayStar {
   const std::vector<std::pair<int, int>>& compute(const std::vector<Neighbour>& neighbours, double own_weight,
                                                   double reach);
 
+  /// The same after compute with the neighbours before `first`, which are not looked at again.
+  const std::vector<std::pair<int, int>>& extend(const std::vector<Neighbour>& neighbours, std::size_t first,
+                                                 double own_weight, double reach);
+
   /// Radius of the last Voronoi cell around the origin, at most `reach`. Points farther than twice this take no part
   /// in the star.
   double cell_radius() const { return cell_radius_; }

@@ -110,11 +110,15 @@ class StarMaker {
     const Index* first = near_.items.data() + i * near_.k;
     found_.assign(first, first + near_.k);
     if (found_.size() < 3) return star_;
-    const auto* triangles = &compute(i, reach);
+    tangent_basis(normals_[positions_.original[i]].normalized(), t1_, t2_);
+    neighbours_.clear();
+    project_from(0, i);
+    const auto* triangles = &delaunay_.compute(neighbours_, near_.weights[i], reach);
     if (2 * delaunay_.cell_radius() > reach) {
       // Points beyond the neighbourhood may still cut the cell: with all that can, the star is exact.
-      positions_.search.within(positions_.x[i], 2 * delaunay_.cell_radius(), found_, distances_sq_, work_);
-      triangles = &compute(i, reach);
+      add_within(i, 2 * delaunay_.cell_radius());
+      project_from(near_.k, i);
+      triangles = &delaunay_.extend(neighbours_, near_.k, near_.weights[i], reach);
     }
     for (const auto& [a, b] : *triangles)
       star_.emplace_back(found_[static_cast<std::size_t>(a)], found_[static_cast<std::size_t>(b)]);
@@ -122,23 +126,29 @@ class StarMaker {
   }
 
  private:
-  /// The triangles of the star of `i` among the points found_.
-  const std::vector<std::pair<int, int>>& compute(std::size_t i, double reach) {
-    Vec3 t1, t2;
-    tangent_basis(normals_[positions_.original[i]].normalized(), t1, t2);
-    neighbours_.clear();
-    for (const Index j : found_) {
-      const Vec3 d = positions_.x[j] - positions_.x[i];
-      neighbours_.push_back({Vec2(t1.dot(d), t2.dot(d)), near_.weights[j]});
+  /// Adds to found_ the points within `radius` that are not there.
+  void add_within(std::size_t i, double radius) {
+    positions_.search.within(positions_.x[i], radius, within_, distances_sq_, work_);
+    const Index *first = near_.items.data() + i * near_.k, *last = first + near_.k;
+    for (const Index j : within_) {
+      if (j != i && std::find(first, last, j) == last) found_.push_back(j);
     }
-    return delaunay_.compute(neighbours_, near_.weights[i], reach);
+  }
+
+  /// Adds to neighbours_ the found_ points from `first` on, in the tangent plane of `i`.
+  void project_from(std::size_t first, std::size_t i) {
+    for (std::size_t n = first; n < found_.size(); ++n) {
+      const Vec3 d = positions_.x[found_[n]] - positions_.x[i];
+      neighbours_.push_back({Vec2(t1_.dot(d), t2_.dot(d)), near_.weights[found_[n]]});
+    }
   }
 
   const Positions& positions_;
   const Normals& normals_;
   const Neighbourhoods& near_;
   DelaunayStar delaunay_;
-  std::vector<Index> found_;
+  Vec3 t1_, t2_;
+  std::vector<Index> found_, within_;
   std::vector<double> distances_sq_;
   PointBlocks::Work work_;
   std::vector<DelaunayStar::Neighbour> neighbours_;
