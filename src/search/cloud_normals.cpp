@@ -61,7 +61,8 @@ class NearestFits {
     const double growth = growth_of_ball(plane.offset / radius, count);
     const auto more = static_cast<std::size_t>(growth * growth * static_cast<double>(count));
     if (more == count) return quadric.normal_or(plane.normal);
-    return better_fit(quadric, fit(point, plane.normal, find(point, more))).normal_or(plane.normal);
+    return better_fit(quadric, fit(point, plane.normal, find(point, more, 1.5 * growth * radius)))
+        .normal_or(plane.normal);
   }
 
  private:
@@ -71,9 +72,9 @@ class NearestFits {
     return quadric;
   }
 
-  /// Fills found_; the distance of the farthest.
-  double find(Index point, std::size_t count) {
-    search_.nearest(points_[point], count, found_, distances_sq_);
+  /// Fills found_, mostly within `guess`; the distance of the farthest.
+  double find(Index point, std::size_t count, double guess) {
+    search_.nearest(points_[point], count, guess, found_, distances_sq_, work_);
     return std::sqrt(distances_sq_.back());
   }
 
@@ -82,6 +83,7 @@ class NearestFits {
   const NormalFit fit_;
   std::vector<Index> found_;
   std::vector<double> distances_sq_;
+  PointBlocks::Work work_;
 };
 
 /// Normals of those that have none yet, from their nearest neighbours.

@@ -132,10 +132,15 @@ std::array<double, kChildren> distances_sq(const PointBoxes& boxes, const Vec3& 
 /// Goes down into the nearest boxes first.
 class PointBlocks::Nearest {
  public:
-  Nearest(const PointBlocks& of, const Vec3& query, std::size_t k, std::vector<Index>& indices,
-          std::vector<double>& distances_sq)
-      : of_(of), query_(query), k_(k), indices_(indices), distances_sq_(distances_sq) {}
+  Nearest(const PointBlocks& of, const Vec3& query, std::size_t k) : of_(of), query_(query), k_(k) {}
 
+  std::vector<std::pair<double, Index>> all(std::size_t level) {
+    look_into(level, 0);
+    std::sort_heap(heap_.begin(), heap_.end());
+    return std::move(heap_);
+  }
+
+ private:
   void look_into(std::size_t level, std::size_t node) {
     std::array<double, kChildren> rest = distances_sq(of_.levels_[level][node], query_);
     for (std::size_t visited = 0; visited < kChildren; ++visited) {
@@ -151,7 +156,6 @@ class PointBlocks::Nearest {
     }
   }
 
- private:
   void add_block(std::size_t block) {
     const PointBlock& b = of_.blocks_[block];
     for (std::size_t i = 0; i < kBlockPoints; ++i) {
@@ -161,35 +165,57 @@ class PointBlocks::Nearest {
   }
 
   void add(Index point, double d_sq) {
-    std::size_t at = indices_.size();
-    const auto goes_before = [&](std::size_t i) {
-      return d_sq < distances_sq_[i] || (d_sq == distances_sq_[i] && point < indices_[i]);
-    };
-    while (at > 0 && goes_before(at - 1)) --at;
-    if (at >= k_) return;
-    if (indices_.size() == k_) {
-      indices_.pop_back();
-      distances_sq_.pop_back();
+    const std::pair<double, Index> found(d_sq, point);
+    if (heap_.size() == k_) {
+      if (!(found < heap_.front())) return;
+      std::pop_heap(heap_.begin(), heap_.end());
+      heap_.pop_back();
     }
-    indices_.insert(indices_.begin() + static_cast<std::ptrdiff_t>(at), point);
-    distances_sq_.insert(distances_sq_.begin() + static_cast<std::ptrdiff_t>(at), d_sq);
-    if (indices_.size() == k_) worst_ = distances_sq_.back();
+    heap_.push_back(found);
+    std::push_heap(heap_.begin(), heap_.end());
+    if (heap_.size() == k_) worst_ = heap_.front().first;
   }
 
   const PointBlocks& of_;
   const Vec3& query_;
   const std::size_t k_;
   double worst_ = kInfinity;
-  std::vector<Index>& indices_;
-  std::vector<double>& distances_sq_;
+  std::vector<std::pair<double, Index>> heap_;  ///< the farthest first
 };
+
+namespace {
+
+void take_apart(const std::vector<std::pair<double, Index>>& found, std::vector<Index>& indices,
+                std::vector<double>& distances_sq) {
+  indices.clear();
+  distances_sq.clear();
+  for (const auto& [d_sq, point] : found) {
+    indices.push_back(point);
+    distances_sq.push_back(d_sq);
+  }
+}
+
+}  // namespace
 
 void PointBlocks::nearest(const Vec3& query, std::size_t k, std::vector<Index>& indices,
                           std::vector<double>& distances_sq) const {
-  indices.clear();
-  distances_sq.clear();
-  if (levels_.empty() || k == 0) return;
-  Nearest(*this, query, k, indices, distances_sq).look_into(levels_.size() - 1, 0);
+  std::vector<std::pair<double, Index>> found;
+  if (!levels_.empty() && k > 0) found = Nearest(*this, query, k).all(levels_.size() - 1);
+  take_apart(found, indices, distances_sq);
+}
+
+void PointBlocks::nearest(const Vec3& query, std::size_t k, double guess, std::vector<Index>& indices,
+                          std::vector<double>& distances_sq, Work& work) const {
+  near_box(query, query, guess, work);
+  const std::size_t count = measure(query, guess, work);
+  if (count < k) return nearest(query, k, indices, distances_sq);
+  std::vector<std::pair<double, Index>> found(count);
+  for (std::size_t i = 0; i < count; ++i) found[i] = {work.distances_sq[i], static_cast<Index>(work.points[i])};
+  const auto end = found.begin() + static_cast<std::ptrdiff_t>(k);
+  std::nth_element(found.begin(), end, found.end());
+  std::sort(found.begin(), end);
+  found.erase(end, found.end());
+  take_apart(found, indices, distances_sq);
 }
 
 PointRun::PointRun(const PointBlocks& blocks, std::size_t begin, std::size_t most, double extent)

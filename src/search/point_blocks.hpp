@@ -36,6 +36,10 @@ class PointBlocks {
     std::vector<double> points, distances_sq;
   };
 
+  /// The same, faster where most of the points within `guess` are among them.
+  void nearest(const Vec3& query, std::size_t k, double guess, std::vector<Index>& indices,
+               std::vector<double>& distances_sq, Work& work) const;
+
   /// All points within `radius` (closed ball), by increasing index.
   void within(const Vec3& query, double radius, std::vector<Index>& indices, std::vector<double>& distances_sq,
               Work& work) const;

@@ -58,6 +58,7 @@ Found found_of(const std::vector<Index>& indices, const std::vector<double>& dis
 }
 
 TEST(PointBlocks, NearestAreThoseOfAFullScan) {
+  PointBlocks::Work work;
   for (const auto& [name, points] : clouds()) {
     const PointBlocks blocks(points);
     std::vector<Index> indices;
@@ -68,6 +69,10 @@ TEST(PointBlocks, NearestAreThoseOfAFullScan) {
       expected.resize(std::min<std::size_t>(expected.size(), 17));
       blocks.nearest(query, 17, indices, distances_sq);
       ASSERT_EQ(found_of(indices, distances_sq), expected) << name << " query " << q;
+      for (const double guess : {0.0, 0.1, 3.0}) {
+        blocks.nearest(query, 17, guess, indices, distances_sq, work);
+        ASSERT_EQ(found_of(indices, distances_sq), expected) << name << " query " << q << " guess " << guess;
+      }
     }
   }
 }
