@@ -46,7 +46,36 @@ std::uint64_t morton_code(const Vec3& p, const Bounds& b) {
   return code;
 }
 
+using Keyed = std::pair<std::uint64_t, Index>;
+
+/// Sorts by the keys; those of one key stay in their order. Byte by byte, but for bytes that all keys share.
+void sort_by_key(std::vector<Keyed>& keyed) {
+  const auto less = [](const Keyed& a, const Keyed& b) { return a.first < b.first; };
+  if (std::is_sorted(keyed.begin(), keyed.end(), less)) return;
+  std::vector<Keyed> sorted(keyed.size());
+  for (int shift = 0; shift < 64; shift += 8) {
+    const auto byte = [shift](const Keyed& k) { return static_cast<std::size_t>(k.first >> shift & 0xff); };
+    std::array<std::size_t, 257> starts{};
+    for (const Keyed& k : keyed) ++starts[byte(k) + 1];
+    if (starts[byte(keyed.front()) + 1] == keyed.size()) continue;
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    for (const Keyed& k : keyed) sorted[starts[byte(k)]++] = k;
+    keyed.swap(sorted);
+  }
+}
+
 }  // namespace
+
+MeasureSum measures_of(const MeasuredTriangles& triangles, std::size_t t) {
+  if (!triangles.measures.empty()) return triangles.measures[t];
+  const auto& c = triangles.corners[t];
+  const Vec3 &x0 = triangles.x[c[0]], &u0 = triangles.u[c[0]], &u1 = triangles.u[c[1]], &u2 = triangles.u[c[2]];
+  MeasureSum m =
+      triangle_density_sum(triangles.x[c[1]] - x0, triangles.x[c[2]] - x0, u1 - u0, u2 - u0, (u0 + u1 + u2) / 3.0);
+  m *= triangles.weights[t];
+  if (!triangles.beside.empty()) m += triangles.beside[t];
+  return m;
+}
 
 std::vector<Index> parts_of_faces(const MeasuredTriangles& triangles) {
   const auto last = std::max_element(triangles.faces.begin(), triangles.faces.end());
@@ -62,7 +91,7 @@ bool add_triangle_in_ball(const MeasuredTriangles& triangles, std::size_t t, con
   const TriangleShare part = triangle_ball_share(x, radius);
   if (!part.met) return false;
   ++to.face_count;
-  MeasureSum m = triangles.measures[t];
+  MeasureSum m = measures_of(triangles, t);
   if (ball == BallDefinition::ExactDensity && part.share > 0 && part.share < 1) m += density_excess(triangles, t, part);
   m *= part.share;
   to.sum += m;
@@ -96,12 +125,12 @@ void BruteForceBallSum::do_sum(const std::vector<Vec3>& centres, const std::vect
 
 std::vector<Index> spatial_order(const std::vector<Vec3>& points) {
   const Bounds b = bounds(points);
-  std::vector<std::pair<std::uint64_t, Index>> keyed(points.size());
+  std::vector<Keyed> keyed(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool finite = is_finite(points[i]);
     keyed[i] = {finite ? morton_code(points[i], b) : ~std::uint64_t{0}, static_cast<Index>(i)};
   }
-  if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
+  sort_by_key(keyed);
   std::vector<Index> order(points.size());
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& entry) { return entry.second; });
   return order;

@@ -18,7 +18,15 @@ inline kernels::TriangleView view_of(const MeasuredTriangles& t) {
   if (t.size() == 0) return {};
   const bool weighted = std::any_of(t.weights.begin(), t.weights.end(), [](double w) { return w != 1; });
   const double* const measures = t.measures.empty() ? nullptr : &t.measures[0].area;
-  return {t.size(), measures, t.corners[0].data(), t.x[0].data(), t.u[0].data(), weighted ? t.weights.data() : nullptr};
+  const double* const beside = t.beside.empty() ? nullptr : &t.beside[0].area;
+  return {t.size(),
+          measures,
+          nullptr,
+          t.corners[0].data(),
+          t.x[0].data(),
+          t.u[0].data(),
+          weighted ? t.weights.data() : nullptr,
+          beside};
 }
 
 /// Radii in increasing order, and where each stood.
@@ -76,9 +84,10 @@ class BallWorkspace {
     centre_ = centre;
     for (kernels::Gathering<Real>& b : balls_) {
       std::fill(std::begin(b.sum), std::end(b.sum), 0.0);
-      std::fill_n(&b.excess[0][0], sizeof(b.excess) / sizeof(double), 0.0);
+      std::fill_n(&b.lanes[0][0], sizeof(b.lanes) / sizeof(double), 0.0);
       std::fill(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
       b.faces = b.measured = 0;
+      b.unit = 1;
       clear_names(b.named);
       b.whole_count = b.corners.count = b.outside.count = b.caps.count = b.irregular.count = 0;
     }
@@ -101,7 +110,8 @@ class BallWorkspace {
     for (std::size_t r = 0; r < balls_.size(); ++r) {
       const kernels::Gathering<Real>& b = balls_[r];
       const double edges_sq = std::accumulate(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
-      const double little = kLittle * radii_.radii[r], area = b.sum[0] + direct_[r].sum.area;
+      const double of_lanes = std::accumulate(std::begin(b.lanes[0]), std::end(b.lanes[0]), 0.0);
+      const double little = kLittle * radii_.radii[r], area = b.sum[0] + of_lanes + direct_[r].sum.area;
       if (area * area < little * little * edges_sq * static_cast<double>(b.measured)) return true;
     }
     return false;
@@ -115,14 +125,14 @@ class BallWorkspace {
 
   BallMeasures total(std::size_t r) const {
     const kernels::Gathering<Real>& b = balls_[r];
-    const auto lanes = [&](int i) { return std::accumulate(b.excess[i], b.excess[i] + kernels::kWidth, 0.0); };
-    BallMeasures m;
-    m.sum.area = b.sum[0];
-    m.sum.mu0 = b.sum[1] + lanes(0);
-    m.sum.mu2 = b.sum[2];
-    for (int i = 0; i < 6; ++i) m.sum.mu_sym[static_cast<std::size_t>(i)] = b.sum[3 + i] + lanes(1 + i);
-    m.sum += direct_[r].sum;
-    m.face_count = static_cast<Index>(b.faces) + direct_[r].face_count;
+    const double length = std::is_same_v<Real, float> ? 1 / b.unit : 1, area = length * length;
+    const double scale[kernels::kSums] = {area, area, 1, length, length, length, length, length, length};
+    double sum[kernels::kSums];
+    for (int i = 0; i < kernels::kSums; ++i)
+      sum[i] = b.sum[i] + scale[i] * std::accumulate(b.lanes[i], b.lanes[i] + kernels::kWidth, 0.0);
+    BallMeasures m = direct_[r];
+    m.sum += {sum[0], sum[1], sum[2], {sum[3], sum[4], sum[5], sum[6], sum[7], sum[8]}};
+    m.face_count += static_cast<Index>(b.faces);
     return m;
   }
 

@@ -55,7 +55,7 @@ void add_limit(const MeasuredTriangles& triangles, std::size_t t, std::size_t co
   const Vec3& x = triangles.x[c[corner]];
   const Vec3 a = triangles.x[c[(corner + 1) % 3]] - x, b = triangles.x[c[(corner + 2) % 3]] - x;
   const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-  MeasureSum m = triangles.measures[t];
+  MeasureSum m = measures_of(triangles, t);
   ++to.face_count;
   if (!(m.area > 0)) return;
   m *= triangles.weights[t] * angle / m.area;
@@ -73,10 +73,11 @@ void add_stars(const MeasuredTriangles& triangles, std::vector<BallMeasures>& su
   std::vector<MeasureSum> faces(split ? parts.size() : 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Index face = triangles.faces[t];
+    const MeasureSum m = measures_of(triangles, t);
     if (parts[face] > 1) {
-      faces[face] += triangles.measures[t];
+      faces[face] += m;
     } else {
-      for (const Index v : triangles.corners[t]) add_to(v, triangles.measures[t], 1);
+      for (const Index v : triangles.corners[t]) add_to(v, m, 1);
     }
   }
   // Each vertex of a face in several parts is the first corner of one of them; other first corners are inside it.

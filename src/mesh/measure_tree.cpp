@@ -19,9 +19,11 @@ using kernels::TreeView;
 constexpr std::size_t kBlock = 64;
 constexpr std::size_t kTogether = 16;  ///< queries that share the way to where they start
 
-/// Puts the triangles in the order given.
-void permute(MeasuredTriangles& t, const std::vector<Index>& order) {
+/// The triangles in the order of the tree.
+MeasuredTriangles in_order(MeasuredTriangles t) {
+  const std::vector<Index> order = tree_order(t);
   const auto apply = [&](auto& values) {
+    if (values.empty()) return;
     std::decay_t<decltype(values)> sorted;
     reserve_large(sorted, values.size());
     for (const Index i : order) sorted.push_back(values[i]);
@@ -30,7 +32,9 @@ void permute(MeasuredTriangles& t, const std::vector<Index>& order) {
   apply(t.corners);
   apply(t.weights);
   apply(t.measures);
+  apply(t.beside);
   apply(t.faces);
+  return t;
 }
 
 /// Unit and origin of the boxes: floats in [-1, 1], whatever the units of the data.
@@ -59,6 +63,10 @@ struct BoxFrame {
 float rounded_down(double v) {
   const auto f = static_cast<float>(v);
   return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
+}
+
+float rounded_up(double v) {
+  return -rounded_down(-v);
 }
 
 BoxBlock empty_block() {
@@ -103,7 +111,7 @@ LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame) {
       level.sums[leaf] += t.measures[i];
     const Bounds b = bounds_of_leaf(t, leaf);
     const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
-    for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), -rounded_down(-hi[axis]));
+    for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), rounded_up(hi[axis]));
   }
   return level;
 }
@@ -127,50 +135,74 @@ std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& f
   return levels;
 }
 
-void set_normals(Leaf<float>& leaf, std::size_t lane, const MeasuredTriangles& t, std::size_t triangle) {
-  const auto& c = t.corners[triangle];
-  for (int i = 0; i < 6; ++i) leaf.x[9 + i][lane] = static_cast<float>(t.u[c[i < 3 ? 1 : 2]][i % 3] - t.u[c[0]][i % 3]);
+/// Squared length of the longest edge of a leaf's triangles.
+double longest_edge_sq(const MeasuredTriangles& t, std::size_t leaf) {
+  double longest_sq = 0;
+  for (std::size_t i = kWidth * leaf; i < std::min(t.size(), kWidth * (leaf + 1)); ++i) {
+    const auto& c = t.corners[i];
+    for (std::size_t k = 0; k < 3; ++k)
+      longest_sq = std::max(longest_sq, (t.x[c[k]] - t.x[c[(k + 1) % 3]]).squaredNorm());
+  }
+  return longest_sq;
 }
 
-/// Calls `set(row, lane, corner, axis)` for the corners of a leaf.
+/// Calls `set(row, lane, coordinate)` for the corners of a leaf, coordinates from its origin in the unit of the tree.
 template <class Set>
-void for_corners(const MeasuredTriangles& t, std::size_t leaf, const Set& set) {
+void for_corners(const MeasuredTriangles& t, std::size_t leaf, const BoxFrame& frame, const double* origin,
+                 const Set& set) {
   for (std::size_t lane = 0; lane < std::min<std::size_t>(kWidth, t.size() - kWidth * leaf); ++lane) {
     const auto& corners = t.corners[kWidth * leaf + lane];
-    for (std::size_t row = 0; row < 9; ++row) set(row, lane, t.x[corners[row / 3]], static_cast<Eigen::Index>(row % 3));
+    for (std::size_t row = 0; row < 9; ++row) {
+      const auto axis = static_cast<Eigen::Index>(row % 3);
+      set(row, lane, (t.x[corners[row / 3]][axis] - frame.middle[axis]) * frame.unit - origin[axis]);
+    }
   }
 }
 
 /// The steps reach from the middle of the leaf to its farthest side; they are not so small that squares overflow.
-void fill_leaf(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, Leaf<double>& leaf) {
+void fill_corners(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, double half,
+                  Leaf<double>& leaf) {
   constexpr double kSteps = 32767, kMostAUnit = 1e12;
-  const Bounds b = bounds_of_leaf(t, number);
-  const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max), origin = (lo + hi) / 2;
-  const double half = ((hi - lo) / 2).maxCoeff();
-  std::copy_n(origin.data(), 3, leaf.origin);
-  leaf.steps_a_unit = half * kMostAUnit > kSteps ? kSteps / half : kMostAUnit;
-  for_corners(t, number, [&](std::size_t row, std::size_t lane, const Vec3& x, Eigen::Index axis) {
-    const double steps = ((x[axis] - frame.middle[axis]) * frame.unit - origin[axis]) * leaf.steps_a_unit;
-    leaf.x[row][lane] = static_cast<std::int16_t>(std::lrint(steps));
+  leaf.steps_a_unit = static_cast<float>(half * kMostAUnit > kSteps ? kSteps / half : kMostAUnit);
+  for_corners(t, number, frame, leaf.origin, [&](std::size_t row, std::size_t lane, double x) {
+    leaf.x[row][lane] = static_cast<std::int16_t>(std::lrint(x * static_cast<double>(leaf.steps_a_unit)));
   });
+  // Corners are off by less than a step: as far away as an edge is long, that much more in the squared distance.
+  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit * static_cast<double>(leaf.steps_a_unit);
+  leaf.third_of_longest_sq = rounded_up((longest / 3 + 2) * longest);
 }
 
-void fill_leaf(const MeasuredTriangles& t, std::size_t number, const BoxFrame&, Leaf<float>& leaf) {
-  const Vec3 origin = t.x[t.corners[kWidth * number][0]];
-  std::copy_n(origin.data(), 3, leaf.origin);
+void fill_corners(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, double half,
+                  Leaf<float>& leaf) {
+  constexpr double kRounding = 1e-5;  // of the squared distances of corners from balls smaller than the leaf
   std::fill_n(&leaf.x[0][0], 9 * kWidth, std::numeric_limits<float>::infinity());
-  for_corners(t, number, [&](std::size_t row, std::size_t lane, const Vec3& x, Eigen::Index axis) {
-    leaf.x[row][lane] = static_cast<float>(x[axis] - origin[axis]);
-  });
-  for (std::size_t lane = 0; lane < std::min<std::size_t>(kWidth, t.size() - kWidth * number); ++lane)
-    set_normals(leaf, lane, t, kWidth * number + lane);
+  for_corners(t, number, frame, leaf.origin,
+              [&](std::size_t row, std::size_t lane, double x) { leaf.x[row][lane] = static_cast<float>(x); });
+  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit;
+  leaf.third_of_longest_sq = rounded_up(longest * longest / 3 + kRounding * half * half);
 }
 
 template <class Real>
 std::vector<Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& frame) {
   auto leaves = large_vector<Leaf<Real>>((t.size() + kWidth - 1) / kWidth);
-  for (std::size_t i = 0; i < leaves.size(); ++i) fill_leaf(t, i, frame, leaves[i]);
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const Bounds b = bounds_of_leaf(t, i);
+    const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max), origin = (lo + hi) / 2;
+    std::copy_n(origin.data(), 3, leaves[i].origin);
+    fill_corners(t, i, frame, ((hi - lo) / 2).maxCoeff(), leaves[i]);
+  }
   return leaves;
+}
+
+/// What a tree in floats keeps of the measures of whole triangles.
+std::vector<float> float_measures(const MeasuredTriangles& t) {
+  std::vector<float> floats;
+  reserve_large(floats, kernels::kSums * t.size());
+  for (const MeasureSum& m : t.measures) {
+    for (const double v : {m.area, m.mu0, m.mu2}) floats.push_back(static_cast<float>(v));
+    for (const double v : m.mu_sym) floats.push_back(static_cast<float>(v));
+  }
+  return floats;
 }
 
 template <class Real>
@@ -220,7 +252,7 @@ template <class Real>
 class Hierarchy {
  public:
   explicit Hierarchy(const MeasuredTriangles& t)
-      : triangles_(view_of(t)), frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t, frame_)) {}
+      : frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t, frame_)) {}
 
   std::size_t bytes() const {
     std::size_t total = leaves_.capacity() * sizeof(Leaf<Real>);
@@ -229,23 +261,10 @@ class Hierarchy {
     return total;
   }
 
-  TreeView<Real> view() const {
-    TreeView<Real> v{};
-    v.triangles = triangles_;
-    v.nodes.triangles = triangles_.count;
-    v.nodes.levels = static_cast<int>(levels_.size());
-    for (std::size_t i = 0; i < levels_.size(); ++i)
-      v.nodes.level[i] = {levels_[i].boxes.data(), &levels_[i].sums[0].area, levels_[i].sums.size()};
-    std::copy_n(frame_.middle.data(), 3, v.nodes.middle);
-    v.nodes.unit = frame_.unit;
-    v.leaves = leaves_.data();
-    return v;
-  }
-
-  void sum(const MeasuredTriangles& t, const kernels::Table& table, const std::vector<Vec3>& centres,
-           const std::vector<double>& radii, BallDefinition ball, const Execution& run,
-           const BallSum::Sink& sink) const {
-    const TreeView<Real> tree = view();
+  void sum(const MeasuredTriangles& t, const kernels::TriangleView& triangles, const kernels::Table& table,
+           const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
+           const Execution& run, const BallSum::Sink& sink) const {
+    const TreeView<Real> tree = view(triangles);
     const SortedRadii sorted(radii);
     const std::vector<Index> order = spatial_order(centres);
     auto spaces = workspaces<Real>(t, sorted, ball, run);
@@ -266,7 +285,19 @@ class Hierarchy {
   }
 
  private:
-  kernels::TriangleView triangles_;
+  TreeView<Real> view(const kernels::TriangleView& triangles) const {
+    TreeView<Real> v{};
+    v.triangles = triangles;
+    v.nodes.triangles = triangles.count;
+    v.nodes.levels = static_cast<int>(levels_.size());
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+      v.nodes.level[i] = {levels_[i].boxes.data(), &levels_[i].sums[0].area, levels_[i].sums.size()};
+    std::copy_n(frame_.middle.data(), 3, v.nodes.middle);
+    v.nodes.unit = frame_.unit;
+    v.leaves = leaves_.data();
+    return v;
+  }
+
   BoxFrame frame_;
   std::vector<LevelData> levels_;
   std::vector<Leaf<Real>> leaves_;
@@ -276,25 +307,31 @@ class Hierarchy {
 
 struct MeasureTree::Impl {
   MeasuredTriangles triangles;
-  const kernels::Table* table;
+  std::vector<float> measures;  ///< in floats, instead of those of `triangles`
+  const kernels::Table& table;
   std::unique_ptr<const Hierarchy<double>> in_double;
   std::unique_ptr<const Hierarchy<float>> in_float;
+  kernels::TriangleView view;
+
+  Impl(MeasuredTriangles measured, Precision precision, const kernels::Table& kernels)
+      : triangles(in_order(std::move(measured))), table(kernels) {
+    if (precision == Precision::Double) {
+      in_double = std::make_unique<Hierarchy<double>>(triangles);
+    } else {
+      measures = float_measures(triangles);
+      in_float = std::make_unique<Hierarchy<float>>(triangles);
+      std::vector<MeasureSum>().swap(triangles.measures);
+    }
+    view = view_of(triangles);
+    view.float_measures = measures.data();
+  }
 };
 
 MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision)
     : MeasureTree(std::move(triangles), precision, kernels::best_table()) {}
 
 MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->triangles = std::move(triangles);
-  impl_->table = &table;
-  permute(impl_->triangles, tree_order(impl_->triangles));
-  if (precision == Precision::Double) {
-    impl_->in_double = std::make_unique<Hierarchy<double>>(impl_->triangles);
-  } else {
-    impl_->in_float = std::make_unique<Hierarchy<float>>(impl_->triangles);
-  }
-}
+    : impl_(std::make_unique<Impl>(std::move(triangles), precision, table)) {}
 
 MeasureTree::~MeasureTree() = default;
 
@@ -303,16 +340,20 @@ const MeasuredTriangles& MeasureTree::triangles() const {
 }
 
 std::size_t MeasureTree::bytes() const {
-  return impl_->in_double ? impl_->in_double->bytes() : impl_->in_float->bytes();
+  const std::size_t of_tree = impl_->in_double ? impl_->in_double->bytes() : impl_->in_float->bytes();
+  return of_tree + impl_->measures.capacity() * sizeof(float);
 }
 
 void MeasureTree::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
                          const Execution& run, const Sink& sink) const {
   if (radii.empty()) return;
+  const auto sum = [&](const auto& tree) {
+    tree.sum(impl_->triangles, impl_->view, impl_->table, centres, radii, ball, run, sink);
+  };
   if (impl_->in_double) {
-    impl_->in_double->sum(impl_->triangles, *impl_->table, centres, radii, ball, run, sink);
+    sum(*impl_->in_double);
   } else {
-    impl_->in_float->sum(impl_->triangles, *impl_->table, centres, radii, ball, run, sink);
+    sum(*impl_->in_float);
   }
 }
 

@@ -126,6 +126,7 @@ void spread_bilinear(MeasuredTriangles& t, std::size_t first) {
     MeasureSum part = rest;
     part *= area > 0 ? t.measures[i].area / area : 0.25;
     t.measures[i] += part;
+    t.beside[i] = part;
   }
 }
 
@@ -146,6 +147,7 @@ MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, Qu
   take_faces(t, mesh, normals);
   measure_all(t, run);
   if (quads == QuadMeasures::Bilinear) {
+    t.beside.resize(t.size());
     for (std::size_t i = 0; i < t.size(); ++i) {
       const bool first = i == 0 || t.faces[i] != t.faces[i - 1];
       if (first && mesh.faces[t.faces[i]].size() == 4) spread_bilinear(t, i);

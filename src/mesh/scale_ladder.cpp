@@ -47,7 +47,7 @@ std::vector<FaceVertex> face_vertices(const MeasuredTriangles& t, const std::vec
 Surroundings surroundings(const MeasuredTriangles& t) {
   const std::vector<Index> parts = parts_of_faces(t);
   std::vector<double> face_areas(parts.size()), areas(t.vertices);
-  for (std::size_t i = 0; i < t.size(); ++i) face_areas[t.faces[i]] += t.measures[i].area;
+  for (std::size_t i = 0; i < t.size(); ++i) face_areas[t.faces[i]] += measures_of(t, i).area;
   const std::vector<FaceVertex> of_faces = face_vertices(t, parts);
   Mesh graph;
   graph.vertices.resize(t.vertices);

@@ -35,7 +35,10 @@ struct MeasuredTriangles {
   /// parts, each of its vertices is the first corner of one of them.
   std::vector<std::array<Index, 3>> corners;
   std::vector<double> weights;       ///< of each triangle
-  std::vector<MeasureSum> measures;  ///< of each whole triangle, times its weight
+  std::vector<MeasureSum> measures;  ///< of each whole triangle, times its weight; if empty, see measures_of()
+  /// What the measures have beside the integral of the density over the triangle, as those of the parts of bilinear
+  /// quads do; empty if nothing.
+  std::vector<MeasureSum> beside;
   std::vector<Index> faces;          ///< face of the mesh that each triangle is of, increasing
   std::size_t vertices = 0;          ///< of the mesh; x[i] with i >= vertices is a barycentre
   std::size_t dropped_faces = 0;
@@ -46,6 +49,9 @@ struct MeasuredTriangles {
 /// @throws Error InvalidData if the mesh is not valid, or InvalidArgument if normals.size() is not #V.
 MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads = QuadMeasures::Split,
                                     const Execution& run = {});
+
+/// Measures of whole triangle `t`, times its weight: the stored ones if there are any, else computed.
+MeasureSum measures_of(const MeasuredTriangles& triangles, std::size_t t);
 
 /// Number of parts of every face of the mesh up to the last one that has any. The triangles may stand in any order.
 std::vector<Index> parts_of_faces(const MeasuredTriangles& triangles);

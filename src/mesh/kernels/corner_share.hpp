@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "density.hpp"
 #include "disc_share.hpp"
 
 // The cheap forms of triangle n ball, for balls of a few edges and more: a triangle with one corner on the other side
@@ -51,13 +52,6 @@ struct Arc<float> {
                                     0.10647466398081019F, 0.057793283033541094F, 0.1093405855576384F};
   static constexpr float kMoment[] = {0.99999996648567524F, 0.57143819497524451F, 0.3805101543893627F,
                                       0.28436666593618193F, 0.16004641476877846F, 0.33617199392187502F};
-};
-
-/// What a ball has of a triangle, or has too much of it.
-template <class V>
-struct Piece {
-  V share;   ///< of the area
-  V m1, m2;  ///< integral of (b_i - 1/3) over the area of the triangle, b_i the barycentric coordinates
 };
 
 /// The plane of a triangle and the disc in it.

@@ -30,6 +30,10 @@ struct Lanes<float> {
   static constexpr int kCount = 8;
 };
 
+template <class Real>
+using Vector = typename Lanes<Real>::V;
+template <class Real>
+using Mask = typename Lanes<Real>::M;
 using VD = Lanes<double>::V;
 using MD = Lanes<double>::M;
 using VF = Lanes<float>::V;
@@ -117,6 +121,21 @@ inline unsigned bits(MF mask) {
 
 typedef float HalfVF __attribute__((vector_size(16)));
 
+inline HalfVF narrowed(VD a) {
+  return __builtin_convertvector(a, HalfVF);
+}
+
+#if defined(__AVX__)
+inline VD low_half(VF a) {
+  return _mm256_cvtps_pd(_mm256_castps256_ps128(a));
+}
+inline VD high_half(VF a) {
+  return _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1));
+}
+inline VF narrowed(VD low, VD high) {
+  return _mm256_set_m128(narrowed(high), narrowed(low));
+}
+#else
 inline VD low_half(VF a) {
   return __builtin_convertvector(HalfVF{a[0], a[1], a[2], a[3]}, VD);
 }
@@ -124,9 +143,10 @@ inline VD high_half(VF a) {
   return __builtin_convertvector(HalfVF{a[4], a[5], a[6], a[7]}, VD);
 }
 inline VF narrowed(VD low, VD high) {
-  const HalfVF a = __builtin_convertvector(low, HalfVF), b = __builtin_convertvector(high, HalfVF);
+  const HalfVF a = narrowed(low), b = narrowed(high);
   return VF{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
 }
+#endif
 
 inline VF widened(const std::int16_t* from) {
 #if defined(__AVX2__)
@@ -197,6 +217,20 @@ struct Compression {
   }
 };
 #endif
+
+/// Stores 8 pairs of 32 bits.
+inline void store_pairs(std::uint64_t* to, VF low, VF high) {
+#if defined(__AVX__)
+  const __m256 first = _mm256_unpacklo_ps(low, high), second = _mm256_unpackhi_ps(low, high);
+  store(to, _mm256_permute2f128_ps(first, second, 0x20));
+  store(to + 4, _mm256_permute2f128_ps(first, second, 0x31));
+#else
+  for (int i = 0; i < 8; ++i) {
+    __builtin_memcpy(to + i, reinterpret_cast<const float*>(&low) + i, 4);
+    __builtin_memcpy(reinterpret_cast<float*>(to + i) + 1, reinterpret_cast<const float*>(&high) + i, 4);
+  }
+#endif
+}
 
 template <class V>
 struct Vector2 {

@@ -10,11 +10,6 @@
 namespace kappa::kernels {
 namespace {
 
-template <class Real>
-using Vector = typename Lanes<Real>::V;
-template <class Real>
-using Mask = typename Lanes<Real>::M;
-
 /// What all steps need for one ball.
 template <class Real>
 struct Rim {
@@ -23,6 +18,40 @@ struct Rim {
   int radius;
   Gathering<Real>& ball;
 };
+
+/// Lengths on the rim are in the unit of the tree in floats, so that their range does for data in any units.
+inline double radius_of(const Rim<double>& rim) {
+  return rim.query.radii[rim.radius];
+}
+inline float radius_of(const Rim<float>& rim) {
+  return static_cast<float>(rim.ball.reach);
+}
+inline double radius_sq_of(const Rim<double>& rim) {
+  return rim.query.radii_sq[rim.radius];
+}
+inline float radius_sq_of(const Rim<float>& rim) {
+  return static_cast<float>(rim.ball.reach * rim.ball.reach);
+}
+
+/// Which corner is alone on its side of the sphere.
+template <class M>
+struct Turn {
+  M second, third;
+  Turn(M in0, M in1, M in2) : second((in0 ^ in1) & ~(in0 ^ in2)), third((in0 ^ in2) & ~(in0 ^ in1)) {}
+};
+
+/// Stores what triangles are called while they wait.
+inline void store_names(std::uint64_t* to, const Compression<VD>& packed, VD triangles, const Turn<MD>& turn) {
+  constexpr long long kTurn = 1LL << 32;
+  const MD second = {kTurn, kTurn, kTurn, kTurn};
+  store(to, packed(reinterpret_cast<VD>(reinterpret_cast<MD>(triangles) | (turn.second & second) |
+                                        (turn.third & (second + second)))));
+}
+inline void store_names(std::uint64_t* to, const Compression<VF>& packed, VF triangles, const Turn<MF>& turn) {
+  const MF one = {1, 1, 1, 1, 1, 1, 1, 1};
+  const MF turns = (turn.second & one) | (turn.third & (one + one));
+  store_pairs(to, packed(triangles), packed(reinterpret_cast<VF>(turns)));
+}
 
 /// Lanes [0, count) of a vector.
 inline MD first_lanes(double count) {
@@ -39,19 +68,6 @@ inline Corners<Vector<Real>> corners_at(const Waiting<Real>& w, int first) {
   return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}};
 }
 
-inline void hand_on_name(const Waiting<double>& w, int from, int turn, Waiting<double>& to, int place) {
-  const std::uint64_t of = (w.id[from] >> 32) + static_cast<std::uint64_t>(turn);
-  to.id[place] = triangle_of(w.id[from]) | (of % 3) << 32;
-}
-inline void hand_on_name(const Waiting<float>& w, int from, int turn, Waiting<float>& to, int place) {
-  to.id[place] = w.id[from];
-  for (int axis = 0; axis < 3; ++axis) {
-    const float d1 = w.x[9 + axis][from], d2 = w.x[12 + axis][from];
-    to.x[9 + axis][place] = turn == 0 ? d1 : turn == 1 ? d2 - d1 : -d2;
-    to.x[12 + axis][place] = turn == 0 ? d2 : turn == 1 ? -d1 : d1 - d2;
-  }
-}
-
 /// Lets the triangle at place `from` of `w` wait in `to`, turned by so many corners.
 template <class Real>
 inline int hand_on(const Waiting<Real>& w, int from, int turn, Waiting<Real>& to) {
@@ -60,7 +76,7 @@ inline int hand_on(const Waiting<Real>& w, int from, int turn, Waiting<Real>& to
     const int of = (corner + turn) % 3;
     for (int axis = 0; axis < 3; ++axis) to.x[3 * corner + axis][place] = w.x[3 * of + axis][from];
   }
-  hand_on_name(w, from, turn, to, place);
+  to.id[place] = triangle_of(w.id[from]) | ((w.id[from] >> 32) + static_cast<std::uint64_t>(turn)) % 3 << 32;
   return place;
 }
 
@@ -80,17 +96,54 @@ inline void add_pieces(const Rim<Real>& rim, const Waiting<Real>& w, int first, 
   using V = Vector<Real>;
   // A lane that does not count may hold NaN, which 0 does not cancel.
   const V zero = spread(Real(0));
+  const std::uint64_t* const ids = w.id + first;
+  const V by = weights_of<Real>(rim.triangles, ids);
+  const auto counted = [&](V of) { return select(good, by * of, zero); };
+  const Piece<V> weighted = {counted(piece.share), kMoments ? counted(piece.m1) : zero,
+                             kMoments ? counted(piece.m2) : zero};
+  add_densities(fan_of(rim.triangles.normals, rim.triangles, ids, Lanes<Real>()), t.x1 - t.x0, t.x2 - t.x0, weighted,
+                rim.ball);
+  if (!rim.triangles.beside) return;
   Real share[Lanes<Real>::kCount];
   store(share, select(good, piece.share, zero));
-  add_shares(rim.triangles, w.id + first, share, rim.ball);
-  if (!kMoments) return;
-  V by = spread(Real(1));
-  if (rim.triangles.weights) {
-    for (int lane = 0; lane < Lanes<Real>::kCount; ++lane)
-      by[lane] = static_cast<Real>(rim.triangles.weights[triangle_of(w.id[first + lane])]);
+  add_shares(rim.triangles.beside, ids, share, rim.ball);
+}
+
+inline void add_whole_triangles(const Rim<double>& rim) {
+  add_waiting(rim.ball, rim.triangles.measures);
+}
+inline void add_whole_triangles(const Rim<float>& rim) {
+  add_waiting(rim.ball, rim.triangles.float_measures);
+}
+
+/// Lets the triangles in the lanes of `mask` wait, whose corners `row` gives, the one that the turn says first.
+template <class Real, class Row>
+[[gnu::always_inline]] inline void let_wait(Waiting<Real>& w, const Row& row, Vector<Real> triangles, unsigned mask,
+                                            const Turn<Mask<Real>>& turn, Vector<Real> power) {
+  using V = Vector<Real>;
+  const int at = w.count;
+  const Compression<V> packed(mask);
+  const auto turned = [&](V a, V b, V c) { return packed(select(turn.second, b, select(turn.third, c, a))); };
+  for (int axis = 0; axis < 3; ++axis) {
+    const V a = row(axis), b = row(3 + axis), c = row(6 + axis);
+    store(w.x[axis] + at, turned(a, b, c));
+    store(w.x[3 + axis] + at, turned(b, c, a));
+    store(w.x[6 + axis] + at, turned(c, a, b));
   }
-  const V m1 = select(good, by * piece.m1, zero), m2 = select(good, by * piece.m2, zero);
-  add_excess(normal_differences(rim.triangles, w, first), t.x1 - t.x0, t.x2 - t.x0, m1, m2, rim.ball);
+  store(w.power + at, packed(power));
+  store_names(w.id + at, packed, triangles, turn);
+  w.count = at + __builtin_popcount(mask);
+}
+
+/// Lets the triangles in the lanes of `mask` wait, all inside of the ball.
+template <class Real>
+inline void let_triangles_wait(const Rim<Real>& rim, VF triangles, unsigned mask) {
+  Gathering<Real>& ball = rim.ball;
+  store(ball.whole + ball.whole_count, Compression<VF>(mask)(triangles));
+  const int count = __builtin_popcount(mask);
+  ball.whole_count += count;
+  ball.faces += static_cast<unsigned>(count);
+  if (ball.whole_count >= kWaiting) add_whole_triangles(rim);
 }
 
 /// Counts triangles that were measured together, and what the error of their sum depends on.
@@ -120,7 +173,7 @@ void add_irregular(const Rim<Real>& rim) {
   const V third = spread(Real(1.0 / 3));
   for_lanes(w, [&](int first, Mask<Real> valid) {
     const Corners<V> t = corners_at(w, first);
-    const auto part = disc_shares<Real, V, Mask<Real>>(t, static_cast<Real>(rim.query.radii[rim.radius]));
+    const auto part = disc_shares<Real, V, Mask<Real>>(t, radius_of(rim));
     const Mask<Real> certain = part.certain & valid;
     for (unsigned rest = bits(valid & ~certain & ~part.missed); rest != 0; rest &= rest - 1)
       rim.query.careful(rim.query.context, static_cast<std::uint32_t>(w.id[first + __builtin_ctz(rest)]), rim.radius);
@@ -134,7 +187,7 @@ template <class Real, bool kMoments>
 void add_caps(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.caps;
-  const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
+  const V radius_sq = spread(radius_sq_of(rim));
   for_lanes(w, [&](int first, Mask<Real> valid) {
     const Corners<V> t = corners_at(w, first);
     const Piece<V> piece = cap_piece<Real>(t, load<V>(w.sign + first), radius_sq);
@@ -160,7 +213,7 @@ void add_corners(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.corners;
   if (all_to_careful(rim, w)) return;
-  const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
+  const V radius_sq = spread(radius_sq_of(rim));
   for_lanes(w, [&](int first, Mask<Real> valid) {
     const Corners<V> t = corners_at(w, first);
     const auto c = corner_piece<Real, kMoments, V, Mask<Real>>(t, load<V>(w.power + first), radius_sq);
@@ -181,8 +234,8 @@ void sort_outside(const Rim<Real>& rim) {
   using V = Vector<Real>;
   Waiting<Real>& w = rim.ball.outside;
   if (all_to_careful(rim, w)) return;
-  const V radius = spread(static_cast<Real>(rim.query.radii[rim.radius]));
-  const V radius_sq = spread(static_cast<Real>(rim.query.radii_sq[rim.radius]));
+  const V radius = spread(radius_of(rim));
+  const V radius_sq = spread(radius_sq_of(rim));
   for_lanes(w, [&](int first, Mask<Real> valid) {
     const auto c = outside_case<Real, V, Mask<Real>>(corners_at(w, first), radius, radius_sq);
     const unsigned simple = bits(c.simple & valid);
@@ -208,7 +261,7 @@ void add_all_waiting(const Rim<Real>& rim) {
   sort_outside<Real, kMoments>(rim);
   add_caps<Real, kMoments>(rim);
   add_irregular<Real, kMoments>(rim);
-  add_waiting(rim.ball, rim.triangles.measures);
+  add_whole_triangles(rim);
 }
 
 template <class Real>
@@ -228,11 +281,12 @@ inline void make_corners_wait(const Rim<Real>& rim) {
     add_corners<Real, false>(rim);
   }
 }
-inline void make_irregular_wait(const Rim<double>& rim) {
+template <class Real>
+inline void make_irregular_wait(const Rim<Real>& rim) {
   if (rim.query.exact_density) {
-    add_irregular<double, true>(rim);
+    add_irregular<Real, true>(rim);
   } else {
-    add_irregular<double, false>(rim);
+    add_irregular<Real, false>(rim);
   }
 }
 template <class Real>

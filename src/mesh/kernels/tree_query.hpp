@@ -10,14 +10,6 @@
 namespace kappa::kernels {
 namespace {
 
-/// The centre as leaves hold corners.
-inline const double* centre_of(const BallQuery<double>&, const Place& place) {
-  return place.at;
-}
-inline const double* centre_of(const BallQuery<float>& query, const Place&) {
-  return query.centre;
-}
-
 /// Triangles that a node of the level has less than others, if it is the last one.
 inline std::uint64_t missing_in_last(const NodeView& tree, int level) {
   return (static_cast<std::uint64_t>(tree.level[level].nodes) << 3 * (level + 1)) - tree.triangles;
@@ -31,6 +23,7 @@ class Walk {
     for (int axis = 0; axis < 3; ++axis) at_[axis] = static_cast<float>(place_.at[axis]);
     for (int i = 0; i < query.count; ++i) {
       Gathering<Real>& ball = query.balls[i];
+      ball.unit = tree.nodes.unit;
       ball.reach = query.radii[i] * tree.nodes.unit;
       const BoxBounds bounds(ball.reach, place_.farthest);
       ball.out_sq = bounds.out_sq;
@@ -136,8 +129,8 @@ class Walk {
   }
 
   void add_leaf(std::uint32_t leaf, const Range& radii) const {
-    Placed<float> p;
-    place(tree_.leaves[leaf], centre_of(query_, place_), p);
+    Placed p;
+    place(tree_.leaves[leaf], place_.at, p);
     const VF triangles = numbers_from(kWidth * leaf);
     const std::size_t left = tree_.triangles.count - std::size_t{kWidth} * leaf;
     const MF present = first_lanes(left < kWidth ? static_cast<float>(left) : float{kWidth});

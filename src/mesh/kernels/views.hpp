@@ -19,11 +19,13 @@ inline constexpr int kRim = 32;        ///< triangles waiting to be measured, a 
 /// The arrays of a MeasuredTriangles.
 struct TriangleView {
   std::size_t count;
-  const double* measures;        ///< kSums each
+  const double* measures;        ///< kSums each; null for a tree in floats
+  const float* float_measures;   ///< likewise, for a tree in floats
   const std::uint32_t* corners;  ///< 3 each
   const double* positions;       ///< 3 a vertex
   const double* normals;         ///< 3 a vertex
   const double* weights;         ///< null if all are 1
+  const double* beside;          ///< kSums each that they have beside the integral of their density; null if 0
 };
 
 /// Boxes of 8 nodes side by side in the unit of the tree, rounded outward; those that do not exist have
@@ -32,25 +34,26 @@ struct alignas(64) BoxBlock {
   float lo[3][kWidth], hi[3][kWidth];
 };
 
-/// Corners of 8 triangles side by side, coordinate by coordinate, relative to a point of the leaf.
+/// Corners of 8 triangles side by side, coordinate by coordinate, from an origin in the unit of the tree.
 template <class Real>
 struct Leaf;
 
-/// For doubles, in whole steps, the origin in the unit of the tree: they tell triangles inside and outside from those
-/// on the rim, whose corners are then taken from the mesh.
+/// For doubles, in whole steps: they tell triangles inside and outside from those on the rim, whose corners are then
+/// taken from the mesh.
 template <>
 struct alignas(16) Leaf<double> {
   std::int16_t x[9][kWidth];
   double origin[3];
-  double steps_a_unit;
+  float steps_a_unit;
+  float third_of_longest_sq;  ///< edge, in steps, rounded up
 };
 
-/// For floats the triangles on the rim are taken from here too, and the differences of the second and third normal from
-/// the first are at hand; infinity where there is no triangle.
+/// For floats, in the unit of the tree; infinity where there is no triangle.
 template <>
-struct alignas(32) Leaf<float> {
-  float x[15][kWidth];
+struct Leaf<float> {
+  float x[9][kWidth];
   double origin[3];
+  float third_of_longest_sq;  ///< edge, rounded up
 };
 
 /// One level: nodes 8 j to 8 j + 7 are the children of node j of the level above. Level 0 are the leaves.
@@ -97,29 +100,15 @@ struct Visits {
   Range* ranges[2];
 };
 
-/// How a triangle is called while it waits: its index, in doubles with the number of the corner that is the first here
-/// above bit 32.
-template <class Real>
-struct WaitingId;
-template <>
-struct WaitingId<double> {
-  using Type = std::uint64_t;
-};
-template <>
-struct WaitingId<float> {
-  using Type = std::uint32_t;
-};
-
-/// Triangles that wait to be measured together: corners relative to the centre of the ball, and in floats the
-/// differences of the normals.
+/// Triangles that wait to be measured together: corners relative to the centre of the ball.
 template <class Real>
 struct alignas(64) Waiting {
-  static constexpr int kRows = sizeof(Real) == sizeof(float) ? 15 : 9;
   static constexpr int kPlaces = kRim + kWidth;
-  Real x[kRows][kPlaces];
+  Real x[9][kPlaces];
   Real power[kPlaces];  ///< |first corner|^2 - radius^2
   Real sign[kPlaces];   ///< of a cap
-  typename WaitingId<Real>::Type id[kPlaces];
+  std::uint64_t
+      id[kPlaces];  ///< index of the triangle, and above bit 32 the number of the corner that is the first here
   int count;
 };
 
@@ -140,15 +129,15 @@ struct NamedRim<double> {
 /// What a ball has got so far.
 template <class Real>
 struct alignas(64) Gathering {
-  double sum[12];                          ///< kSums used
-  double excess[7][8];                     ///< mu0 and sym mu that cut triangles have over their share, a lane each
-  double longest_sq[8];                    ///< sum over the triangles that were measured together, a lane each
-  std::uint64_t measured;                  ///< how many these are
-  std::uint64_t faces;                     ///< met
+  double sum[12];          ///< kSums used
+  double lanes[kSums][8];  ///< of triangles measured together, a lane each; floats in the unit of the tree
+  double longest_sq[8];    ///< sum over the triangles that were measured together, a lane each
+  std::uint64_t measured;  ///< how many these are
+  std::uint64_t faces;     ///< met
   std::uint32_t whole[kWaiting + kWidth];  ///< nodes of one level or triangles inside, whose sums are to be added
   int whole_count;
   float out_sq, in_sq;  ///< in the unit of the tree: boxes farther away are out, nearer ones in
-  double reach;         ///< radius in the unit of the tree
+  double unit, reach;   ///< of the tree, which lengths are multiplied by, and the radius in it
   NamedRim<Real> named;
   Waiting<Real> corners;    ///< one corner, the first, is on the other side of the sphere than the others
   Waiting<Real> outside;    ///< all corners outside the ball
