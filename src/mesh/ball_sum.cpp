@@ -35,33 +35,14 @@ std::uint64_t spread_bits(std::uint64_t v) {
   return (v | v << 2) & 0x1249249249249249;
 }
 
-std::uint64_t morton_code(const Vec3& p, const Bounds& b) {
+std::uint64_t morton_code(const Vec3& p, const Bounds& b, double extent) {
   constexpr double kCells = 2097151;  // 2^21 - 1
-  const double extent = std::max((b.max - b.min).maxCoeff(), std::numeric_limits<double>::min());
   std::uint64_t code = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double cell = (p[axis] - b.min[axis]) / extent * kCells;
     code |= spread_bits(static_cast<std::uint64_t>(cell)) << axis;
   }
   return code;
-}
-
-using Keyed = std::pair<std::uint64_t, Index>;
-
-/// Sorts by the keys; those of one key stay in their order. Byte by byte, but for bytes that all keys share.
-void sort_by_key(std::vector<Keyed>& keyed) {
-  const auto less = [](const Keyed& a, const Keyed& b) { return a.first < b.first; };
-  if (std::is_sorted(keyed.begin(), keyed.end(), less)) return;
-  std::vector<Keyed> sorted(keyed.size());
-  for (int shift = 0; shift < 64; shift += 8) {
-    const auto byte = [shift](const Keyed& k) { return static_cast<std::size_t>(k.first >> shift & 0xff); };
-    std::array<std::size_t, 257> starts{};
-    for (const Keyed& k : keyed) ++starts[byte(k) + 1];
-    if (starts[byte(keyed.front()) + 1] == keyed.size()) continue;
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    for (const Keyed& k : keyed) sorted[starts[byte(k)]++] = k;
-    keyed.swap(sorted);
-  }
 }
 
 }  // namespace
@@ -125,12 +106,13 @@ void BruteForceBallSum::do_sum(const std::vector<Vec3>& centres, const std::vect
 
 std::vector<Index> spatial_order(const std::vector<Vec3>& points) {
   const Bounds b = bounds(points);
-  std::vector<Keyed> keyed(points.size());
+  const double extent = std::max((b.max - b.min).maxCoeff(), std::numeric_limits<double>::min());
+  std::vector<std::pair<std::uint64_t, Index>> keyed(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool finite = is_finite(points[i]);
-    keyed[i] = {finite ? morton_code(points[i], b) : ~std::uint64_t{0}, static_cast<Index>(i)};
+    keyed[i] = {finite ? morton_code(points[i], b, extent) : ~std::uint64_t{0}, static_cast<Index>(i)};
   }
-  sort_by_key(keyed);
+  if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
   std::vector<Index> order(points.size());
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& entry) { return entry.second; });
   return order;

@@ -10,6 +10,7 @@ namespace kappa {
 namespace {
 
 constexpr std::size_t kBlock = 2048;
+constexpr std::size_t kAtHand = 256;  ///< measures that stay in the nearest cache
 
 bool usable(const Vec3& u) {
   return is_finite(u) && !u.isZero(0);
@@ -101,9 +102,9 @@ void measure_all(MeasuredTriangles& t, const Execution& run) {
     return;
   }
   // Grown block by block, so that what is written is still at hand: memory is passed over once.
-  for (std::size_t begin = 0; begin < t.size(); begin += kBlock) {
+  for (std::size_t begin = 0; begin < t.size(); begin += kAtHand) {
     check_cancelled(run);
-    const std::size_t end = std::min(begin + kBlock, t.size());
+    const std::size_t end = std::min(begin + kAtHand, t.size());
     t.measures.resize(end);
     measure(begin, end);
   }
