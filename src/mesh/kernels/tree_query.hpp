@@ -66,6 +66,9 @@ class Walk {
   }
 
   void prefetch_leaf(std::uint32_t leaf) const {
+    const std::uint32_t* const corners = tree_.triangles.corners + std::size_t{3 * kWidth} * leaf;
+    __builtin_prefetch(corners);
+    __builtin_prefetch(corners + 16);
     const auto* const first = reinterpret_cast<const char*>(tree_.leaves + leaf);
     for (std::size_t byte = 0; byte < sizeof(Leaf<Real>); byte += 64) __builtin_prefetch(first + byte);
   }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "../core/large_array.hpp"
+#include "kappa/mesh/ball_sum.hpp"
+#include "kernels/views.hpp"
+
+// Boxes, sums and leaves of a measure tree over triangles in its order.
+
+namespace kappa {
+
+/// Unit and origin of the boxes: floats in [-1, 1], whatever the units of the data.
+struct BoxFrame {
+  Vec3 middle = Vec3::Zero();
+  double unit = 1;
+
+  BoxFrame() = default;
+  explicit BoxFrame(const MeasuredTriangles& t) {
+    Bounds b;
+    for (const auto& corners : t.corners) {
+      for (const Index v : corners) {
+        b.min = b.min.cwiseMin(t.x[v]);
+        b.max = b.max.cwiseMax(t.x[v]);
+      }
+    }
+    if (b.empty()) return;
+    middle = b.min / 2 + b.max / 2;
+    const double half = (b.max / 2 - b.min / 2).maxCoeff();
+    if (half > 0 && std::isfinite(1 / half)) unit = 1 / half;
+  }
+
+  Vec3 placed(const Vec3& x) const { return (x - middle) * unit; }
+};
+
+inline float rounded_down(double v) {
+  const auto f = static_cast<float>(v);
+  return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
+}
+
+inline float rounded_up(double v) {
+  return -rounded_down(-v);
+}
+
+inline kernels::BoxBlock empty_block() {
+  kernels::BoxBlock block;
+  std::fill_n(&block.lo[0][0], 3 * kernels::kWidth, std::numeric_limits<float>::infinity());
+  std::fill_n(&block.hi[0][0], 3 * kernels::kWidth, -std::numeric_limits<float>::infinity());
+  return block;
+}
+
+/// Boxes and sums of the nodes of one level.
+struct LevelData {
+  std::vector<kernels::BoxBlock> boxes;
+  std::vector<MeasureSum> sums;
+
+  explicit LevelData(std::size_t nodes)
+      : boxes(large_vector((nodes + kernels::kWidth - 1) / kernels::kWidth, empty_block())),
+        sums(large_vector<MeasureSum>(nodes)) {}
+
+  void extend(std::size_t node, int axis, float lo, float hi) {
+    kernels::BoxBlock& block = boxes[node / kernels::kWidth];
+    float &to_lo = block.lo[axis][node % kernels::kWidth], &to_hi = block.hi[axis][node % kernels::kWidth];
+    to_lo = std::min(to_lo, lo);
+    to_hi = std::max(to_hi, hi);
+  }
+};
+
+/// Bounds of the corners of a leaf's triangles.
+inline Bounds bounds_of_leaf(const MeasuredTriangles& t, std::size_t leaf) {
+  Bounds b;
+  for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i) {
+    for (const Index v : t.corners[i]) {
+      b.min = b.min.cwiseMin(t.x[v]);
+      b.max = b.max.cwiseMax(t.x[v]);
+    }
+  }
+  return b;
+}
+
+inline LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame) {
+  LevelData level((t.size() + kernels::kWidth - 1) / kernels::kWidth);
+  for (std::size_t leaf = 0; leaf < level.sums.size(); ++leaf) {
+    for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i)
+      level.sums[leaf] += t.measures[i];
+    const Bounds b = bounds_of_leaf(t, leaf);
+    const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
+    for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), rounded_up(hi[axis]));
+  }
+  return level;
+}
+
+inline LevelData parent_level(const LevelData& below) {
+  LevelData level(below.boxes.size());
+  for (std::size_t child = 0; child < below.sums.size(); ++child) {
+    const std::size_t node = child / kernels::kWidth, lane = child % kernels::kWidth;
+    level.sums[node] += below.sums[child];
+    const kernels::BoxBlock& block = below.boxes[node];
+    for (int axis = 0; axis < 3; ++axis) level.extend(node, axis, block.lo[axis][lane], block.hi[axis][lane]);
+  }
+  return level;
+}
+
+inline std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& frame) {
+  std::vector<LevelData> levels;
+  if (t.size() == 0) return levels;
+  levels.push_back(leaf_level(t, frame));
+  while (levels.back().boxes.size() > 1) levels.push_back(parent_level(levels.back()));
+  return levels;
+}
+
+/// Squared length of the longest edge of a leaf's triangles.
+inline double longest_edge_sq(const MeasuredTriangles& t, std::size_t leaf) {
+  double longest_sq = 0;
+  for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i) {
+    const auto& c = t.corners[i];
+    for (std::size_t k = 0; k < 3; ++k)
+      longest_sq = std::max(longest_sq, (t.x[c[k]] - t.x[c[(k + 1) % 3]]).squaredNorm());
+  }
+  return longest_sq;
+}
+
+/// Calls `set(row, lane, coordinate)` for the corners of a leaf, coordinates from its origin in the unit of the tree.
+template <class Set>
+void for_corners(const MeasuredTriangles& t, std::size_t leaf, const BoxFrame& frame, const double* origin,
+                 const Set& set) {
+  for (std::size_t lane = 0; lane < std::min<std::size_t>(kernels::kWidth, t.size() - kernels::kWidth * leaf); ++lane) {
+    const auto& corners = t.corners[kernels::kWidth * leaf + lane];
+    for (std::size_t row = 0; row < 9; ++row) {
+      const auto axis = static_cast<Eigen::Index>(row % 3);
+      set(row, lane, (t.x[corners[row / 3]][axis] - frame.middle[axis]) * frame.unit - origin[axis]);
+    }
+  }
+}
+
+/// The steps reach from the middle of the leaf to its farthest side; they are not so small that squares overflow.
+inline void fill_corners(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, double half,
+                         kernels::Leaf<double>& leaf) {
+  constexpr double kSteps = 32767, kMostAUnit = 1e12;
+  leaf.steps_a_unit = static_cast<float>(half * kMostAUnit > kSteps ? kSteps / half : kMostAUnit);
+  for_corners(t, number, frame, leaf.origin, [&](std::size_t row, std::size_t lane, double x) {
+    leaf.x[row][lane] = static_cast<std::int16_t>(std::lrint(x * static_cast<double>(leaf.steps_a_unit)));
+  });
+  // Corners are off by less than a step: as far away as an edge is long, that much more in the squared distance.
+  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit * static_cast<double>(leaf.steps_a_unit);
+  leaf.third_of_longest_sq = rounded_up((longest / 3 + 2) * longest);
+}
+
+inline void fill_corners(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, double half,
+                         kernels::Leaf<float>& leaf) {
+  constexpr double kRounding = 1e-5;  // of the squared distances of corners from balls smaller than the leaf
+  std::fill_n(&leaf.x[0][0], 9 * kernels::kWidth, std::numeric_limits<float>::infinity());
+  for_corners(t, number, frame, leaf.origin,
+              [&](std::size_t row, std::size_t lane, double x) { leaf.x[row][lane] = static_cast<float>(x); });
+  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit;
+  leaf.third_of_longest_sq = rounded_up(longest * longest / 3 + kRounding * half * half);
+}
+
+template <class Real>
+std::vector<kernels::Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& frame) {
+  auto leaves = large_vector<kernels::Leaf<Real>>((t.size() + kernels::kWidth - 1) / kernels::kWidth);
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const Bounds b = bounds_of_leaf(t, i);
+    const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max), origin = (lo + hi) / 2;
+    std::copy_n(origin.data(), 3, leaves[i].origin);
+    fill_corners(t, i, frame, ((hi - lo) / 2).maxCoeff(), leaves[i]);
+  }
+  return leaves;
+}
+
+/// What a tree in floats keeps of the measures of whole triangles.
+inline std::vector<float> float_measures(const MeasuredTriangles& t) {
+  std::vector<float> floats;
+  reserve_large(floats, kernels::kSums * t.size());
+  for (const MeasureSum& m : t.measures) {
+    for (const double v : {m.area, m.mu0, m.mu2}) floats.push_back(static_cast<float>(v));
+    for (const double v : m.mu_sym) floats.push_back(static_cast<float>(v));
+  }
+  return floats;
+}
+
+}  // namespace kappa
