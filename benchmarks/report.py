@@ -134,7 +134,7 @@ def peer_table(found):
 
 def build_table(found):
     table = Table("Building, a million triangles", "engine", "ms", "over FLANN",
-                  "bytes a triangle beside the triangles")
+                  "bytes a triangle, with its measures")
     flann = found.get("build/torus/flann", {}).get("cpu_time", math.nan)
     for e in ENGINES:
         b = found.get(f"build/torus/{e}")
