@@ -55,12 +55,24 @@ void orient(const Scan& scan, const SurfaceChoice& choice, Surface& s) {
   if (s.orientation == Orientation::Consistent) s.agreement = orient_consistently(scan.points, s.u).agreement;
 }
 
-/// The ball of the fits that noise asks for, 0 for the nearest neighbours alone.
+/// Error of the mean curvature in a ball of five spacings, with normals that are averages within `normal_radius`.
+double expected_error(const CloudScale& scale, double normal_radius) {
+  const double radius = kAutomaticRadius * scale.spacing;
+  return std::hypot(curvature_noise(scale, radius, normal_radius), curvature_bias(scale, radius, normal_radius));
+}
+
+double radius_of_neighbours(const CloudScale& scale) {
+  return std::sqrt(NormalFitOptions{}.neighbours / kPi) * scale.spacing;
+}
+
+/// The ball of the fits that noise asks for, 0 for the nearest neighbours alone: as large as the measuring ball of five
+/// spacings where that is better there, or kNormalShare of a larger ball where noise asks for one.
 double automatic_normal_radius(const CloudScale& scale, const std::optional<double>& measured_radius) {
-  const double least = kAutomaticRadius * scale.spacing;
-  const double balanced = balanced_radius(scale, least, kLargestRadius * scale.spacing);
-  if (!(balanced > least)) return 0;
-  return std::min(kNormalShare * balanced, measured_radius.value_or(balanced));
+  const double five = kAutomaticRadius * scale.spacing;
+  const double balanced = balanced_radius(scale, five, kLargestRadius * scale.spacing);
+  double radius = balanced > five ? kNormalShare * balanced : 0;
+  if (expected_error(scale, five) < expected_error(scale, radius_of_neighbours(scale))) radius = std::max(radius, five);
+  return std::min(radius, measured_radius.value_or(radius));
 }
 
 NormalFit fit_of(NormalsKind kind) {
@@ -95,16 +107,9 @@ Normals point_normals(const Scan& scan, const SurfaceOptions& options, Surface& 
   return fitted_normals(Positions(scan.points), options, s, run);
 }
 
-/// Error of the mean curvature in a ball of five spacings, with normals that are averages within `normal_radius`.
-double expected_error(const CloudScale& scale, double normal_radius) {
-  const double radius = kAutomaticRadius * scale.spacing;
-  return std::hypot(curvature_noise(scale, radius, normal_radius), curvature_bias(scale, radius, normal_radius));
-}
-
 /// Whether normals of so many neighbours are better than those of faces, which are averages over one spacing.
 bool is_too_noisy_for_faces(const CloudScale& scale) {
-  const double of_neighbours = std::sqrt(NormalFitOptions{}.neighbours / kPi) * scale.spacing;
-  return expected_error(scale, of_neighbours) < expected_error(scale, scale.spacing);
+  return expected_error(scale, radius_of_neighbours(scale)) < expected_error(scale, scale.spacing);
 }
 
 /// Normals of the faces, or where nothing but the data decides and the vertices are noisy, of quadrics of these.

@@ -39,8 +39,8 @@ struct MeasuredTriangles {
   /// What the measures have beside the integral of the density over the triangle, as those of the parts of bilinear
   /// quads do; empty if nothing.
   std::vector<MeasureSum> beside;
-  std::vector<Index> faces;          ///< face of the mesh that each triangle is of, increasing
-  std::size_t vertices = 0;          ///< of the mesh; x[i] with i >= vertices is a barycentre
+  std::vector<Index> faces;  ///< face of the mesh that each triangle is of, increasing
+  std::size_t vertices = 0;  ///< of the mesh; x[i] with i >= vertices is a barycentre
   std::size_t dropped_faces = 0;
 
   std::size_t size() const { return corners.size(); }
