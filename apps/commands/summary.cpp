@@ -89,9 +89,8 @@ void print_own_scales(const CurvatureField& field) {
 void warn_of_rough_normals(const Measured& m, int refinements) {
   if (refinements == 0 || !(normal_roughness(m.surface.mesh, m.surface.u) > kRoughNormals)) return;
   std::printf(
-      "warning     the normals are not those of a smooth surface through the points, so --refine gains nothing; leave "
-      "it "
-      "out\n");
+      "warning     the normals are not those of a smooth surface through the points, so --refine gains nothing; "
+      "leave it out\n");
 }
 
 void print_field(const Measured& m, const CurvatureField& field) {
