@@ -52,7 +52,7 @@ double QuadricFit::variance() const {
   return std::max(0.0, square_ - c.dot(right_)) / static_cast<double>(count_ - 6) * unit_ * unit_;
 }
 
-std::pair<double, double> QuadricFit::mean_curvature() const {
+QuadricFit::Curvature QuadricFit::curvature() const {
   const Eigen::LDLT<Mat6> solver(normal_);
   const Vec6 c = solver.solve(right_);
   const double p = c[1], q = c[2], w = 1 + p * p + q * q;
@@ -60,7 +60,8 @@ std::pair<double, double> QuadricFit::mean_curvature() const {
   by[3] = (1 + q * q) / (2 * w * std::sqrt(w));
   by[4] = -2 * p * q / (2 * w * std::sqrt(w));
   by[5] = (1 + p * p) / (2 * w * std::sqrt(w));
-  return {by.dot(c) / unit_, by.dot(solver.solve(by)) / std::pow(unit_, 4)};
+  const double gaussian = (c[3] * c[5] - c[4] * c[4]) / (w * w);
+  return {by.dot(c) / unit_, gaussian / (unit_ * unit_), by.dot(solver.solve(by)) / std::pow(unit_, 4)};
 }
 
 Vec3 QuadricFit::normal_or(const Vec3& plane) const {

@@ -34,8 +34,12 @@ class QuadricFit {
   /// Variance of the residuals, a length squared; NaN for no more points than coefficients.
   double variance() const;
 
-  /// Mean curvature over the place of the frame, and its variance for noise of variance 1.
-  std::pair<double, double> mean_curvature() const;
+  /// Of the quadric over the place of the frame.
+  struct Curvature {
+    double mean, gaussian;
+    double variance;  ///< of the mean, for noise of variance 1
+  };
+  Curvature curvature() const;
 
   /// Unit normal over the place of the frame, on the side of its third axis. The zero vector where the points do not
   /// fix a quadric: fewer than kLeastForQuadric, or its slopes more than kUncertain times as uncertain (by standard

@@ -88,6 +88,13 @@ double radius_of(int step, double spacing) {
   return kSmallest * spacing * std::pow(2.0, 0.5 * step);
 }
 
+/// The mean curvature H of a surface from that of its quadric in a disc of radius r. However little the curvature
+/// varies there is a quartic part beside the quadric: the quadric of a sphere is wrong by r^2 H^3 / 4, that of a
+/// cylinder by r^2 3 H^3 / 4, in general by about r^2 (3 H^3 / 4 - H G / 2).
+double without_quartic_part(const QuadricFit::Curvature& quadric, double r) {
+  return quadric.mean / (1 + r * r * (0.75 * quadric.mean * quadric.mean - 0.5 * quadric.gaussian));
+}
+
 Curvatures6 measure_curvatures(const std::vector<Vec3>& x, const PointBlocks& search, Index at, double spacing) {
   std::vector<Index> near;
   std::vector<double> distances_sq;
@@ -107,8 +114,9 @@ Curvatures6 measure_curvatures(const std::vector<Vec3>& x, const PointBlocks& se
       ++count;
     }
     constexpr double kLopsided = 0.2;  // the centroid of half a disc lies 0.42 radii from its centre
-    const auto [mean, variance] = fit.mean_curvature();
-    result[static_cast<std::size_t>(step)] = {mean, variance, sum.norm() > kLopsided * outer * count};
+    const QuadricFit::Curvature quadric = fit.curvature();
+    result[static_cast<std::size_t>(step)] = {without_quartic_part(quadric, outer), quadric.variance,
+                                              sum.norm() > kLopsided * outer * count};
   }
   return result;
 }

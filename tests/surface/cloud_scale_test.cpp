@@ -53,6 +53,19 @@ TEST(MeasureScale, FindsHowTheMeanCurvatureVaries) {
   EXPECT_EQ(measure_scale(plane).variation, 0);
 }
 
+TEST(MeasureScale, CurvatureThatDoesNotVaryIsNoVariation) {
+  // Quadrics in balls of different radii differ by 4 / radius^3 there, were it not for their quartic parts.
+  std::vector<Vec3> sphere, cylinder;
+  constexpr double kRadius = 5, kGoldenAngle = 2.399963229728653;
+  for (int i = 0; i < 8000; ++i) {
+    const double z = (i + 0.5) / 4000 - 1, angle = kGoldenAngle * i, r = std::sqrt(1 - z * z);
+    sphere.emplace_back(kRadius * Vec3(r * std::cos(angle), r * std::sin(angle), z));
+    cylinder.emplace_back(kRadius * std::cos(angle), kRadius * std::sin(angle), 3 * kRadius * z);
+  }
+  EXPECT_LT(measure_scale(sphere).variation, 0.5 / std::pow(kRadius, 3));
+  EXPECT_LT(measure_scale(cylinder).variation, 0.5 / std::pow(kRadius, 3));
+}
+
 TEST(MeasureScale, FollowsTheUnitsAndNotTheThreads) {
   const Scan scan = waves(0.05);
   const CloudScale one = measure_scale(scan.points);

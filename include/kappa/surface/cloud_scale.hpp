@@ -17,10 +17,11 @@ struct CloudScale {
   /// with the sixth power of the radius and is taken off. Without noise close to 0.
   double noise = kNaN;
   /// How fast the mean curvature varies: root mean square of its surface Laplacian, 1/length^3. From the differences
-  /// of the mean curvatures of quadrics fitted in balls of radii 5, 5 sqrt(2), 10 ... 28 spacings, less what noise
-  /// explains, at the first pair of radii where what is left is certain (three standard errors); 0 if it
-  /// never is. Balls that reach over a border are left out unless most do. Edges count as variation, which keeps radii
-  /// small.
+  /// of the mean curvatures of quadrics fitted in balls of radii 5, 5 sqrt(2), 10 ... 28 spacings, less their share of
+  /// the quartic part that any curved surface has beside its quadric (exact for spheres and cylinders, to lowest order
+  /// of radius times curvature) and less what noise explains, at the first pair of radii where what is left is certain
+  /// (three standard errors); 0 if it never is. Balls that reach over a border are left out unless most do. Edges count
+  /// as variation, which keeps radii small.
   double variation = kNaN;
 };
 
