@@ -13,7 +13,7 @@ namespace kappa {
 namespace {
 
 /// Without any parameter nearer the truth than what other methods reach on this noise at the best single radius: rms of
-/// mean 2.5e-2, gaussian 1.9e-2, k_min 1.9e-2, k_max 8e-2 (CGAL, DGtal and a prototype at radius 0.5).
+/// mean 2.5e-2, gaussian 1.9e-2, k_min 1.9e-2, k_max 8e-2 (radius 0.5, four averagings).
 class BeatsTheBestSingleRadius : public ::testing::TestWithParam<int> {};
 
 TEST_P(BeatsTheBestSingleRadius, OnATorusWithNoise) {

@@ -24,7 +24,7 @@ namespace kappa {
 ///
 /// The field has radius NaN and order 0. A vertex in no ball is Empty, one that is not finite or has no normal Invalid.
 /// Cost: a rung is measured at points that lie half its radius apart, so that the finest ones, below 4 spacings, cost
-/// most; then the balls chosen. About 600 bytes a vertex while the scales are chosen.
+/// most; then the balls chosen. About 600 bytes a vertex while the scales are chosen, by their sizes.
 /// @throws Error InvalidArgument if u.size() is not the number of vertices; InvalidData if no triangle has an area.
 CurvatureField estimate_at_own_scale(const BallSum& balls, const Normals& u, BallDefinition ball,
                                      const Execution& run = {});

@@ -24,11 +24,12 @@ enum class NormalFit {
   /// place.
   Quadric,
   /// Resists edges and outliers. Planes are fitted by Tukey's weights; every point takes its own, or that of a
-  /// neighbour
-  /// which fits its points and passes by the point more than twice as well, so that beside an edge it is that of the
-  /// side the point lies on (after the filter of Kuwahara et al., 1976), and refits it to its own neighbours near it.
-  /// The
-  /// normal is that of their quadric where they are nearly all, else of their plane. Takes two to three times as long.
+  /// neighbour which fits its points and passes by the point more than twice as well, so that beside an edge it is that
+  /// of the side the point lies on (after the filter of Kuwahara et al., 1976), and refits it to its own neighbours
+  /// near
+  /// it. The normal is that of their quadric where they are nearly all, else of their plane. Takes two to three times
+  /// as
+  /// long.
   Robust
 };
 

@@ -58,8 +58,8 @@ bool from_faces(NormalsKind kind);
 ///
 /// The viewpoint of a scan is credible if it lies within ten diagonals of the points; one of (0, 0, 0), which files
 /// hold that know none, only if the cloud is organised or lies within 45 degrees of the z axis, as that of a depth
-/// camera, or else within one diagonal and not below the middle of terrain; points
-/// steeply above and below it are a room and no terrain.
+/// camera, or else within one diagonal and not below the middle of terrain; points steeply above and below it are a
+/// room and no terrain.
 enum class Orientation {
   Auto,     ///< Input for the scan's normals, AsFaces on a mesh and for normals from faces; for those fitted to a
             ///< cloud Viewpoint if one is given or that of the scan is credible, else Up where most planes are flatter
