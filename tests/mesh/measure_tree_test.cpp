@@ -102,19 +102,24 @@ TEST(MeasureTree, EqualsBruteForceWithFacesOfEverySize) {
   expect_brute_force(t, places(s.mesh, 100, 0.2), {0.02, 0.12, 0.4, 1.4}, "all sizes", kFarCorners);
 }
 
-TEST(MeasureTree, EqualsBruteForceOnBilinearQuads) {
-  Mesh mesh;
-  Normals u;
+/// A wavy sheet of 8 x 8 quads with normals of their own.
+Shape quads() {
+  Shape s;
   for (int i = 0; i < 9; ++i) {
     for (int j = 0; j < 9; ++j) {
-      mesh.vertices.emplace_back(i, j, std::sin(0.7 * i) * std::cos(0.5 * j));
-      u.push_back(Vec3(0.3 * std::sin(i), 0.2 * std::cos(j), 1).normalized());
+      s.mesh.vertices.emplace_back(i, j, std::sin(0.7 * i) * std::cos(0.5 * j));
+      s.normals.push_back(Vec3(0.3 * std::sin(i), 0.2 * std::cos(j), 1).normalized());
       const auto v = static_cast<Index>(9 * i + j);
-      if (i < 8 && j < 8) mesh.faces.add({v, v + 9, v + 10, v + 1});
+      if (i < 8 && j < 8) s.mesh.faces.add({v, v + 9, v + 10, v + 1});
     }
   }
-  expect_brute_force(measure_triangles(mesh, u, QuadMeasures::Bilinear), places(mesh, 81, 0.3), {0.3, 1.1, 2.7},
-                     "quads");
+  return s;
+}
+
+TEST(MeasureTree, EqualsBruteForceOnBilinearQuads) {
+  const Shape s = quads();
+  expect_brute_force(measure_triangles(s.mesh, s.normals, QuadMeasures::Bilinear), places(s.mesh, 81, 0.3),
+                     {0.3, 1.1, 2.7}, "quads");
 }
 
 TEST(MeasureTree, SmallestAndDegenerateInputs) {
@@ -375,6 +380,24 @@ TEST(FastMeasureTree, ItsTrianglesHaveTheirMeasuresWithoutStoringThem) {
       EXPECT_NEAR(a.area, b.area, 1e-14 * size * size) << z.name << i;
       EXPECT_NEAR(a.mu1(), b.mu1(), 1e-13 * size) << z.name << i;
       EXPECT_NEAR(a.mu2, b.mu2, 1e-13) << z.name << i;
+    }
+  }
+}
+
+TEST(FastMeasureTree, StaysWithinItsBoundsOnBilinearQuads) {
+  const Shape s = quads();
+  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals, QuadMeasures::Bilinear);
+  const MeasureTree in_double(t), fast(t, Precision::Fast);
+  const std::vector<Vec3> centres = places(s.mesh, 81, 0.3);
+  for (const double radius : {0.3, 1.1, 2.7}) {
+    const auto a = test::sums(in_double, centres, {radius}, BallDefinition::ExactDensity);
+    const auto b = test::sums(fast, centres, {radius}, BallDefinition::ExactDensity);
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+      const double size = 1e-6 * radius * radius;
+      EXPECT_NEAR(a[i].sum.area, b[i].sum.area, 4 * size) << radius << " " << i;
+      EXPECT_NEAR(a[i].sum.mu0, b[i].sum.mu0, 4 * size) << radius << " " << i;
+      EXPECT_NEAR(a[i].sum.mu1(), b[i].sum.mu1(), 4 * size) << radius << " " << i;
+      EXPECT_NEAR(a[i].sum.mu2, b[i].sum.mu2, 4 * size) << radius << " " << i;
     }
   }
 }
