@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "kappa/core/error.hpp"
 #include "kappa/core/triangle_ball.hpp"
@@ -43,6 +44,35 @@ std::uint64_t morton_code(const Vec3& p, const Bounds& b, double extent) {
     code |= spread_bits(static_cast<std::uint64_t>(cell)) << axis;
   }
   return code;
+}
+
+struct Keyed {
+  std::uint64_t key;
+  Index index;
+};
+
+/// Sorts by key and leaves the order of equal keys: digit by digit, the last first, but for digits that are the same in
+/// all keys.
+void sort_by_key(std::vector<Keyed>& keyed) {
+  constexpr int kBits = 11;
+  constexpr std::size_t kDigits = std::size_t{1} << kBits;
+  const auto less = [](const Keyed& a, const Keyed& b) { return a.key < b.key; };
+  if (std::is_sorted(keyed.begin(), keyed.end(), less)) return;
+  if (keyed.size() < kDigits) {
+    std::stable_sort(keyed.begin(), keyed.end(), less);
+    return;
+  }
+  std::vector<Keyed> sorted(keyed.size());
+  for (int shift = 0; shift < 64; shift += kBits) {
+    const auto digit = [&](const Keyed& entry) { return entry.key >> shift & (kDigits - 1); };
+    std::array<std::size_t, kDigits> first{};
+    for (const Keyed& entry : keyed) ++first[digit(entry)];
+    if (first[digit(keyed[0])] == keyed.size()) continue;
+    std::size_t before = 0;
+    for (std::size_t& place : first) before += std::exchange(place, before);
+    for (const Keyed& entry : keyed) sorted[first[digit(entry)]++] = entry;
+    keyed.swap(sorted);
+  }
 }
 
 }  // namespace
@@ -107,14 +137,14 @@ void BruteForceBallSum::do_sum(const std::vector<Vec3>& centres, const std::vect
 std::vector<Index> spatial_order(const std::vector<Vec3>& points) {
   const Bounds b = bounds(points);
   const double extent = std::max((b.max - b.min).maxCoeff(), std::numeric_limits<double>::min());
-  std::vector<std::pair<std::uint64_t, Index>> keyed(points.size());
+  std::vector<Keyed> keyed(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool finite = is_finite(points[i]);
     keyed[i] = {finite ? morton_code(points[i], b, extent) : ~std::uint64_t{0}, static_cast<Index>(i)};
   }
-  if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
+  sort_by_key(keyed);
   std::vector<Index> order(points.size());
-  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& entry) { return entry.second; });
+  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& entry) { return entry.index; });
   return order;
 }
 

@@ -19,13 +19,7 @@ inline kernels::TriangleView view_of(const MeasuredTriangles& t) {
   const bool weighted = std::any_of(t.weights.begin(), t.weights.end(), [](double w) { return w != 1; });
   const double* const measures = t.measures.empty() ? nullptr : &t.measures[0].area;
   const double* const beside = t.beside.empty() ? nullptr : &t.beside[0].area;
-  return {t.size(),
-          measures,
-          nullptr,
-          t.corners[0].data(),
-          t.x[0].data(),
-          t.u[0].data(),
-          weighted ? t.weights.data() : nullptr,
+  return {t.size(), measures, t.corners[0].data(), t.x[0].data(), t.u[0].data(), weighted ? t.weights.data() : nullptr,
           beside};
 }
 
@@ -62,7 +56,7 @@ class BallWorkspace {
   const BallMeasures* measure(const Vec3& centre, const Gather& gather) {
     start(centre, false);
     if (is_finite(centre)) gather(query_);
-    if (std::is_same_v<Real, double> && uncertain()) {
+    if (uncertain()) {
       start(centre, true);
       gather(query_);
     }
@@ -77,19 +71,18 @@ class BallWorkspace {
   }
 
  private:
-  static void clear_names(kernels::NamedRim<float>&) {}
-  static void clear_names(kernels::NamedRim<double>& named) { named.corners.count = named.outside.count = 0; }
-
   void start(const Vec3& centre, bool all_careful) {
     centre_ = centre;
-    for (kernels::Gathering<Real>& b : balls_) {
+    for (std::size_t r = 0; r < balls_.size(); ++r) {
+      kernels::Gathering<Real>& b = balls_[r];
       std::fill(std::begin(b.sum), std::end(b.sum), 0.0);
       std::fill_n(&b.lanes[0][0], sizeof(b.lanes) / sizeof(double), 0.0);
       std::fill(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
       b.faces = b.measured = 0;
       b.unit = 1;
-      clear_names(b.named);
-      b.whole_count = b.corners.count = b.outside.count = b.caps.count = b.irregular.count = 0;
+      b.radius = radii_.radii[r];
+      b.radius_sq = radii_.radii_sq[r];
+      b.whole_count = b.waiting.count = b.irregular.count = 0;
     }
     std::fill(direct_.begin(), direct_.end(), BallMeasures{});
     query_ = {{centre[0], centre[1], centre[2]},
@@ -111,7 +104,8 @@ class BallWorkspace {
       const kernels::Gathering<Real>& b = balls_[r];
       const double edges_sq = std::accumulate(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
       const double of_lanes = std::accumulate(std::begin(b.lanes[0]), std::end(b.lanes[0]), 0.0);
-      const double little = kLittle * radii_.radii[r], area = b.sum[0] + of_lanes + direct_[r].sum.area;
+      const double little = kLittle * radii_.radii[r] * b.unit;
+      const double area = (b.sum[0] + direct_[r].sum.area) * b.unit * b.unit + of_lanes;
       if (area * area < little * little * edges_sq * static_cast<double>(b.measured)) return true;
     }
     return false;
@@ -125,11 +119,11 @@ class BallWorkspace {
 
   BallMeasures total(std::size_t r) const {
     const kernels::Gathering<Real>& b = balls_[r];
-    const double length = std::is_same_v<Real, float> ? 1 / b.unit : 1, area = length * length;
+    const double length = 1 / b.unit, area = length * length;
     const double scale[kernels::kSums] = {area, area, 1, length, length, length, length, length, length};
     double sum[kernels::kSums];
     for (int i = 0; i < kernels::kSums; ++i)
-      sum[i] = b.sum[i] + scale[i] * std::accumulate(b.lanes[i], b.lanes[i] + kernels::kWidth, 0.0);
+      sum[i] = b.sum[i] + scale[i] * ((b.lanes[i][0] + b.lanes[i][1]) + (b.lanes[i][2] + b.lanes[i][3]));
     BallMeasures m = direct_[r];
     m.sum += {sum[0], sum[1], sum[2], {sum[3], sum[4], sum[5], sum[6], sum[7], sum[8]}};
     m.face_count += static_cast<Index>(b.faces);
@@ -145,13 +139,5 @@ class BallWorkspace {
   std::vector<BallMeasures> direct_;             ///< likewise: what comes from no kernel
   std::vector<BallMeasures> sums_;               ///< in the order given
 };
-
-/// One workspace a thread of `run`.
-template <class Real>
-std::vector<BallWorkspace<Real>> workspaces(const MeasuredTriangles& triangles, const SortedRadii& sorted,
-                                            BallDefinition ball, const Execution& run) {
-  return std::vector<BallWorkspace<Real>>(static_cast<std::size_t>(thread_count(run)),
-                                          BallWorkspace<Real>(triangles, sorted, ball));
-}
 
 }  // namespace kappa

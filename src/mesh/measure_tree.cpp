@@ -112,8 +112,11 @@ Bounds bounds_of(const std::vector<Vec3>& centres, const std::vector<Index>& ord
 template <class Real>
 class Hierarchy {
  public:
-  explicit Hierarchy(const MeasuredTriangles& t)
-      : triangles_(t.size()), frame_(t), levels_(make_levels(t, frame_)), leaves_(make_leaves<Real>(t, frame_)) {}
+  /// In floats it takes the measures away: those of whole nodes stand in their sums, and the leaves have all the rest.
+  explicit Hierarchy(MeasuredTriangles& t) : triangles_(t.size()), frame_(t), levels_(make_levels(t, frame_)) {
+    if (std::is_same_v<Real, float>) std::vector<MeasureSum>().swap(t.measures);
+    leaves_ = make_leaves<Real>(t, frame_);
+  }
 
   std::size_t bytes() const {
     std::size_t total = leaves_.capacity() * sizeof(Leaf<Real>);
@@ -183,7 +186,6 @@ class Hierarchy {
 
 struct MeasureTree::Impl {
   MeasuredTriangles triangles;
-  std::vector<float> measures;  ///< in floats, instead of those of `triangles`
   const kernels::Table& table;
   std::unique_ptr<const Hierarchy<double>> in_double;
   std::unique_ptr<const Hierarchy<float>> in_float;
@@ -194,12 +196,9 @@ struct MeasureTree::Impl {
     if (precision == Precision::Double) {
       in_double = std::make_unique<Hierarchy<double>>(triangles);
     } else {
-      measures = float_measures(triangles);
       in_float = std::make_unique<Hierarchy<float>>(triangles);
-      std::vector<MeasureSum>().swap(triangles.measures);
     }
     view = view_of(triangles);
-    view.float_measures = measures.data();
   }
 };
 
@@ -216,8 +215,7 @@ const MeasuredTriangles& MeasureTree::triangles() const {
 }
 
 std::size_t MeasureTree::bytes() const {
-  const std::size_t of_tree = impl_->in_double ? impl_->in_double->bytes() : impl_->in_float->bytes();
-  return of_tree + impl_->measures.capacity() * sizeof(float);
+  return impl_->in_double ? impl_->in_double->bytes() : impl_->in_float->bytes();
 }
 
 void MeasureTree::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,

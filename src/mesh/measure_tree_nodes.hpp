@@ -124,63 +124,84 @@ inline double longest_edge_sq(const MeasuredTriangles& t, std::size_t leaf) {
   return longest_sq;
 }
 
-/// Calls `set(row, lane, coordinate)` for the corners of a leaf, coordinates from its origin in the unit of the tree.
-template <class Set>
-void for_corners(const MeasuredTriangles& t, std::size_t leaf, const BoxFrame& frame, const double* origin,
-                 const Set& set) {
-  for (std::size_t lane = 0; lane < std::min<std::size_t>(kernels::kWidth, t.size() - kernels::kWidth * leaf); ++lane) {
-    const auto& corners = t.corners[kernels::kWidth * leaf + lane];
-    for (std::size_t row = 0; row < 9; ++row) {
-      const auto axis = static_cast<Eigen::Index>(row % 3);
-      set(row, lane, (t.x[corners[row / 3]][axis] - frame.middle[axis]) * frame.unit - origin[axis]);
-    }
-  }
+/// Calls `use(lane, corners)` for the triangles of a leaf.
+template <class Use>
+void for_triangles(const MeasuredTriangles& t, std::size_t leaf, const Use& use) {
+  const std::size_t first = kernels::kWidth * leaf, count = std::min<std::size_t>(kernels::kWidth, t.size() - first);
+  for (std::size_t lane = 0; lane < count; ++lane) use(lane, t.corners[first + lane]);
 }
 
 /// The steps reach from the middle of the leaf to its farthest side; they are not so small that squares overflow.
-inline void fill_corners(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, double half,
-                         kernels::Leaf<double>& leaf) {
+inline void fill(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, kernels::Leaf<double>& leaf) {
   constexpr double kSteps = 32767, kMostAUnit = 1e12;
+  const Bounds b = bounds_of_leaf(t, number);
+  const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max), origin = (lo + hi) / 2;
+  const double half = ((hi - lo) / 2).maxCoeff();
+  std::copy_n(origin.data(), 3, leaf.origin);
   leaf.steps_a_unit = static_cast<float>(half * kMostAUnit > kSteps ? kSteps / half : kMostAUnit);
-  for_corners(t, number, frame, leaf.origin, [&](std::size_t row, std::size_t lane, double x) {
-    leaf.x[row][lane] = static_cast<std::int16_t>(std::lrint(x * static_cast<double>(leaf.steps_a_unit)));
+  const auto steps = static_cast<double>(leaf.steps_a_unit);
+  for_triangles(t, number, [&](std::size_t lane, const auto& corners) {
+    for (std::size_t row = 0; row < 9; ++row) {
+      const auto axis = static_cast<Eigen::Index>(row % 3);
+      const double x = (t.x[corners[row / 3]][axis] - frame.middle[axis]) * frame.unit - origin[axis];
+      leaf.x[row][lane] = static_cast<std::int16_t>(std::lrint(x * steps));
+    }
   });
   // Corners are off by less than a step: as far away as an edge is long, that much more in the squared distance.
-  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit * static_cast<double>(leaf.steps_a_unit);
+  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit * steps;
   leaf.third_of_longest_sq = rounded_up((longest / 3 + 2) * longest);
 }
 
-inline void fill_corners(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, double half,
-                         kernels::Leaf<float>& leaf) {
+/// A place in [-1, 1]^3 about `v` that floats hold as it is. (Not by way of a float and back: where g++ 12 makes
+/// vectors of it, it leaves both conversions out.)
+inline Vec3 place_for_floats(const Vec3& v) {
+  constexpr double kSteps = 1 << 23;
+  return (v * kSteps).array().round() / kSteps;
+}
+
+inline void put(const Vec3& v, float (&rows)[3][kernels::kWidth], std::size_t lane) {
+  for (int axis = 0; axis < 3; ++axis) rows[axis][lane] = static_cast<float>(v[axis]);
+}
+
+inline Vec3 mean_normal(const MeasuredTriangles& t, std::size_t leaf) {
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for_triangles(t, leaf, [&](std::size_t, const auto& corners) {
+    sum += t.u[corners[0]];
+    ++count;
+  });
+  return sum / count;
+}
+
+inline void fill(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, kernels::Leaf<float>& leaf) {
   constexpr double kRounding = 1e-5;  // of the squared distances of corners from balls smaller than the leaf
-  std::fill_n(&leaf.x[0][0], 9 * kernels::kWidth, std::numeric_limits<float>::infinity());
-  for_corners(t, number, frame, leaf.origin,
-              [&](std::size_t row, std::size_t lane, double x) { leaf.x[row][lane] = static_cast<float>(x); });
-  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit;
+  const Bounds b = bounds_of_leaf(t, number);
+  const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
+  const Vec3 origin = place_for_floats((lo + hi) / 2), normal = place_for_floats(mean_normal(t, number));
+  for (int axis = 0; axis < 3; ++axis) {
+    leaf.origin[axis] = static_cast<float>(origin[axis]);
+    leaf.normal[axis] = static_cast<float>(normal[axis]);
+  }
+  std::fill_n(&leaf.x[0][0], 3 * kernels::kWidth, std::numeric_limits<float>::infinity());
+  for_triangles(t, number, [&](std::size_t lane, const auto& corners) {
+    const Vec3 &x0 = t.x[corners[0]], &u0 = t.u[corners[0]];
+    put(frame.placed(x0) - origin, leaf.x, lane);
+    put((t.x[corners[1]] - x0) * frame.unit, leaf.e1, lane);
+    put((t.x[corners[2]] - x0) * frame.unit, leaf.e2, lane);
+    put(u0 - normal, leaf.u, lane);
+    put(t.u[corners[1]] - u0, leaf.d1, lane);
+    put(t.u[corners[2]] - u0, leaf.d2, lane);
+  });
+  const double longest = std::sqrt(longest_edge_sq(t, number)) * frame.unit, half = ((hi - lo) / 2).maxCoeff();
   leaf.third_of_longest_sq = rounded_up(longest * longest / 3 + kRounding * half * half);
 }
 
+/// Rows that are not filled are 0.
 template <class Real>
 std::vector<kernels::Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& frame) {
   auto leaves = large_vector<kernels::Leaf<Real>>((t.size() + kernels::kWidth - 1) / kernels::kWidth);
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const Bounds b = bounds_of_leaf(t, i);
-    const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max), origin = (lo + hi) / 2;
-    std::copy_n(origin.data(), 3, leaves[i].origin);
-    fill_corners(t, i, frame, ((hi - lo) / 2).maxCoeff(), leaves[i]);
-  }
+  for (std::size_t i = 0; i < leaves.size(); ++i) fill(t, i, frame, leaves[i]);
   return leaves;
-}
-
-/// What a tree in floats keeps of the measures of whole triangles.
-inline std::vector<float> float_measures(const MeasuredTriangles& t) {
-  std::vector<float> floats;
-  reserve_large(floats, kernels::kSums * t.size());
-  for (const MeasureSum& m : t.measures) {
-    for (const double v : {m.area, m.mu0, m.mu2}) floats.push_back(static_cast<float>(v));
-    for (const double v : m.mu_sym) floats.push_back(static_cast<float>(v));
-  }
-  return floats;
 }
 
 }  // namespace kappa

@@ -58,8 +58,8 @@ TEST(Kernels, EveryInstructionSetMeasuresFacesToTheSameBits) {
   const Shape s = shapes::torus(3, 1, 31, 23);
   MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
   t.weights.back() = 3;
-  kernels::TriangleView view = {t.size(),      &t.measures[0].area, nullptr,          t.corners[0].data(),
-                                t.x[0].data(), t.u[0].data(),       t.weights.data(), nullptr};
+  const kernels::TriangleView view = {
+      t.size(), &t.measures[0].area, t.corners[0].data(), t.x[0].data(), t.u[0].data(), t.weights.data(), nullptr};
   for (const std::size_t count : {t.size(), std::size_t{1}, std::size_t{6}}) {
     std::vector<MeasureSum> best(t.size()), baseline(t.size());
     kernels::best_table().measure(view, t.size() - count, t.size(), &best[0].area);

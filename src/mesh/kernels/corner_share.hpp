@@ -4,13 +4,14 @@
 #include "density.hpp"
 #include "disc_share.hpp"
 
-// The cheap forms of triangle n ball, for balls of a few edges and more: a triangle with one corner on the other side
-// of the sphere than its other two, and the cap that an edge cuts off from the disc in the triangle's plane.
+// The cheap form of triangle n ball, for balls of a few edges and more: a triangle with one corner on the other side of
+// the sphere than its other two.
 //
-// All is computed in barycentric coordinates, from the products of two edges and a corner: the points where the sphere
-// crosses edges, the triangle that they cut off, and the circular segment over the chord between them. With c the
-// length of the chord, r the radius of the disc and s = c^2 / 4 r^2 = sin^2(half the arc), the segment has the area
-// c^3 / 12 r F(s), and the first moment about the chord c^5 / 240 r^2 G(s), with
+// All is computed from the squared lengths of the edges and the powers of the corners, |corner|^2 - radius^2, which do
+// not ask for a frame: where the sphere crosses two edges, the triangle that is cut off, and the circular segment over
+// the chord between the crossings. With c the length of the chord, r the radius of the disc and
+// s = c^2 / 4 r^2 = sin^2(half the arc), the segment has the area c^3 / 12 r F(s), and the first moment about the chord
+// c^5 / 240 r^2 G(s), with
 //   F = 3/2 (a - sin a cos a) / sin^3 a = 2F1(1/2, 3/2; 5/2; s),   G = 5 (1 - cos a F) / s.
 // Included by kernel files alone.
 
@@ -24,10 +25,10 @@ constexpr double kFlattest = 1e-3;   ///< (radius of the disc over that of the b
 template <class Real, class V, std::size_t N>
 inline V polynomial(const Real (&c)[N], V s) {
   const V sq = s * s;
-  V even = spread(c[N - 2]), odd = spread(c[N - 1]);
+  V even = splat<V>(c[N - 2]), odd = splat<V>(c[N - 1]);
   for (std::size_t i = N - 2; i >= 2; i -= 2) {
-    even = even * sq + spread(c[i - 2]);
-    odd = odd * sq + spread(c[i - 1]);
+    even = even * sq + splat<V>(c[i - 2]);
+    odd = odd * sq + splat<V>(c[i - 1]);
   }
   return even + odd * s;
 }
@@ -54,32 +55,6 @@ struct Arc<float> {
                                       0.28436666593618193F, 0.16004641476877846F, 0.33617199392187502F};
 };
 
-/// The plane of a triangle and the disc in it.
-template <class V>
-struct Plane {
-  Vector3<V> e1, e2;
-  V e11, e22, e12;
-  V normal_sq;     ///< (twice the area)^2
-  V disc_sq;       ///< (radius of the disc)^2 normal_sq
-  V over_disc_sq;  ///< its inverse
-};
-
-template <class Real, class V>
-[[gnu::always_inline]] inline Plane<V> plane_of(const Corners<V>& t, V radius_sq) {
-  Plane<V> p;
-  p.e1 = t.x1 - t.x0;
-  p.e2 = t.x2 - t.x0;
-  p.e11 = dot(p.e1, p.e1);
-  p.e22 = dot(p.e2, p.e2);
-  p.e12 = dot(p.e1, p.e2);
-  const Vector3<V> normal = cross(p.e1, p.e2);
-  p.normal_sq = dot(normal, normal);
-  const V d = dot(normal, t.x0);
-  p.disc_sq = radius_sq * p.normal_sq - d * d;
-  p.over_disc_sq = spread(Real(1)) / p.disc_sq;
-  return p;
-}
-
 template <class Real>
 struct CornerLimits;
 template <>
@@ -91,15 +66,61 @@ struct CornerLimits<float> {
   static constexpr float kTiny = 1e-4F;
 };
 
-/// Whether the forms keep their digits for triangles of that plane.
+/// The disc that the ball cuts from the plane of a triangle with normal n, whose length is twice its area.
+template <class V>
+struct Disc {
+  V normal_sq;     ///< |n|^2
+  V disc_sq;       ///< (radius of the disc)^2 |n|^2
+  V over_disc_sq;  ///< its inverse
+};
+
+/// Whether the forms keep their digits for triangles in the plane of the disc.
 template <class Real, class V>
-inline auto well_shaped(const Plane<V>& p, V longest_sq, V radius_sq) {
+inline auto well_shaped(const Disc<V>& d, V longest_sq, V radius_sq) {
   constexpr Real kSliver = Limits<Real>::kSliver, kTiny = CornerLimits<Real>::kTiny;
   constexpr Real kLargest = Limits<Real>::kLargest;
-  return (p.normal_sq >= spread(kSliver * kSliver) * longest_sq * longest_sq) &
-         (p.normal_sq >= spread(kTiny * kTiny) * radius_sq * longest_sq) &
-         (p.disc_sq >= spread(Real(kFlattest)) * radius_sq * p.normal_sq) &
-         (longest_sq <= spread(kLargest * kLargest) * radius_sq);
+  const V least_height_sq = max(splat<V>(kSliver * kSliver) * longest_sq, splat<V>(kTiny * kTiny) * radius_sq);
+  return (d.normal_sq >= least_height_sq * longest_sq) & (d.disc_sq >= splat<V>(kFlattest) * radius_sq * d.normal_sq) &
+         (longest_sq <= splat<V>(kLargest * kLargest) * radius_sq);
+}
+
+/// What there is of a triangle at its corners and edges, edge i from corner i to the next one.
+template <class V>
+struct Around {
+  V power[3];    ///< of the corners
+  V rise[3];     ///< of the power along the edges: it has more digits than the difference of powers
+  V edge_sq[3];  ///< squared lengths of the edges
+};
+
+/// Which corner is alone on its side of the sphere, if it is not the first.
+template <class M>
+struct Turn {
+  M second, third;
+  Turn(M in0, M in1, M in2) : second((in0 ^ in1) & ~(in0 ^ in2)), third((in0 ^ in2) & ~(in0 ^ in1)) {}
+};
+
+/// Triangles from their lonely corners on.
+template <class V, class M>
+[[gnu::always_inline]] inline Around<V> turned(const Around<V>& a, const Turn<M>& turn) {
+  const auto from = [&](const V& first, const V& second, const V& third) {
+    return select(turn.second, second, select(turn.third, third, first));
+  };
+  const auto all_from = [&](const V(&of)[3], V(&to)[3]) {
+    for (int i = 0; i < 3; ++i) to[i] = from(of[i], of[(i + 1) % 3], of[(i + 2) % 3]);
+  };
+  Around<V> t;
+  all_from(a.power, t.power);
+  all_from(a.rise, t.rise);
+  all_from(a.edge_sq, t.edge_sq);
+  return t;
+}
+
+/// Pieces of turned triangles, as seen from their first corners.
+template <class V, class M>
+[[gnu::always_inline]] inline Piece<V> turned_back(const Piece<V>& p, const Turn<M>& turn) {
+  const V m0 = -(p.m1 + p.m2);
+  return {p.share, select(turn.second, m0, select(turn.third, p.m2, p.m1)),
+          select(turn.second, p.m1, select(turn.third, m0, p.m2))};
 }
 
 /// The circular segment over a chord, as a share of the triangle.
@@ -109,61 +130,57 @@ struct Segment {
   V outward;  ///< moment about the chord over the length of (chord x normal)
 };
 
-template <class Real, class V>
-inline Segment<V> segment_over(V chord_sq, const Plane<V>& p, V s) {
-  const V slope_sq = chord_sq * p.over_disc_sq;
-  return {spread(Real(1.0 / 6)) * chord_sq * polynomial(Arc<Real>::kArea, s) * sqrt(slope_sq),
-          spread(Real(1.0 / 120)) * chord_sq * slope_sq * polynomial(Arc<Real>::kMoment, s)};
+template <class Real, bool kMoments, class V>
+inline Segment<V> segment_over(V chord_sq, const Disc<V>& d, V s) {
+  const V slope_sq = chord_sq * d.over_disc_sq;
+  return {splat<V>(1.0 / 6) * chord_sq * polynomial(Arc<Real>::kArea, s) * sqrt(slope_sq),
+          kMoments ? splat<V>(1.0 / 120) * chord_sq * slope_sq * polynomial(Arc<Real>::kMoment, s) : splat<V>(0)};
 }
 
 /// Where the edge with product `along` = <corner, edge> and squared length `length_sq` crosses the sphere, as a
 /// fraction of it; the corner inside and the other end outside, or the other way round.
 template <class Real, class V, class M>
 inline V crossing(V along, V length_sq, V power, M inside) {
-  const V zero = spread(Real(0));
+  const V zero = splat<V>(0);
   const V root = sqrt(max(along * along - length_sq * power, zero));
   const auto straight = inside & (along <= zero);
-  const V q = root + max(along, -along), away = max(power, -power);
-  const V t = select(straight, q, away) / max(select(straight, length_sq, q), spread(Limits<Real>::kTiniest));
-  return min(t, spread(Real(1)));
+  const V q = root + absolute(along), away = absolute(power);
+  const V t = select(straight, q, away) / max(select(straight, length_sq, q), splat<V>(Limits<Real>::kTiniest));
+  return min(t, splat<V>(1));
 }
 
 template <class V, class M>
 struct CornerPiece {
   Piece<V> piece;
-  V longest_sq;
   M good;
-  M opposite_cut;  ///< the cap beyond the edge opposite to the first corner is to be taken away
 };
 
-/// The part of triangles whose first corner, of `power` = |x0|^2 - radius^2, is on the other side of the sphere.
-template <class Real, bool kMoments, class V, class M>
-inline CornerPiece<V, M> corner_piece(const Corners<V>& t, V power, V radius_sq) {
-  const V zero = spread(Real(0)), one = spread(Real(1)), third = spread(Real(1.0 / 3)), half = spread(Real(0.5));
-  const Plane<V> p = plane_of<Real>(t, radius_sq);
-  const V x1 = dot(t.x0, p.e1), x2 = dot(t.x0, p.e2);
+/// The part of triangles whose first corner is on the other side of the sphere.
+template <class Real, bool kMoments, class M, class V>
+[[gnu::always_inline]] inline CornerPiece<V, M> corner_piece(const Around<V>& t, const Disc<V>& d, V longest_sq,
+                                                             V radius_sq) {
+  const V zero = splat<V>(0), one = splat<V>(1), third = splat<V>(1.0 / 3), half = splat<V>(0.5);
+  const V power = t.power[0], e11 = t.edge_sq[0], e33 = t.edge_sq[1], e22 = t.edge_sq[2];
+  // Products of the corners with the edges: |x + e|^2 = |x|^2 + 2 <x, e> + |e|^2.
+  const V x1 = half * (t.rise[0] - e11), x2 = -half * (t.rise[2] + e22);
+  const V x3 = half * (t.rise[1] - e33), e12 = half * (e11 + e22 - e33);
   const M inside = power <= zero;
-  const V f1 = crossing<Real>(x1, p.e11, power, inside), f2 = crossing<Real>(x2, p.e22, power, inside);
-  const Vector3<V> chord = f2 * p.e2 - f1 * p.e1;
-  const V chord_sq = dot(chord, chord), k1 = dot(chord, p.e1), k2 = dot(chord, p.e2);
-  const V s = spread(Real(0.25)) * chord_sq * p.normal_sq * p.over_disc_sq;
+  const V f1 = crossing<Real>(x1, e11, power, inside), f2 = crossing<Real>(x2, e22, power, inside);
+  // The chord f2 e2 - f1 e1, by its products with the edges.
+  const V k1 = f2 * e12 - f1 * e11, k2 = f2 * e22 - f1 * e12;
+  const V chord_sq = max(f2 * k2 - f1 * k1, zero);
+  const V s = splat<V>(0.25) * chord_sq * d.normal_sq * d.over_disc_sq;
   // The arc is less than half of the circle if the centre is behind the chord.
-  const V before = k2 * (x1 + f1 * p.e11) - k1 * (x2 + f1 * p.e12);
-
-  // The opposite edge, for corners inside.
-  const V e33 = p.e11 + p.e22 - (p.e12 + p.e12), x3 = (x2 - x1) + (p.e12 - p.e11);
-  const V discriminant = x3 * x3 - e33 * (power + (x1 + x1) + p.e11);
+  const V before = k2 * (x1 + f1 * e11) - k1 * (x2 + f1 * e12);
+  // For corners inside, the sphere may cross the opposite edge twice.
+  const M opposite_cut = inside & (x3 < zero) & (x3 + e33 > zero) & (x3 * x3 > e33 * t.power[1]);
+  const M narrow = (s <= splat<V>(kWidestArc)) & (select(inside, before, -before) >= zero);
   CornerPiece<V, M> c;
-  c.opposite_cut = inside & (x3 < zero) & (x3 + e33 > zero) & (discriminant > zero);
-  const V widest = spread(Real(kWidestArc));
-  const M narrow = (s <= widest) & (select(inside, before, -before) >= zero);
-  const M wide_cap = c.opposite_cut & (discriminant * p.normal_sq > widest * e33 * p.disc_sq);
-  c.longest_sq = max(p.e11, max(p.e22, e33));
-  c.good = well_shaped<Real>(p, c.longest_sq, radius_sq) & narrow & ~wide_cap;
-
-  const Segment<V> segment = segment_over<Real>(chord_sq, p, s);
+  c.good = well_shaped<Real>(d, longest_sq, radius_sq) & narrow & ~opposite_cut;
+  const Segment<V> segment = segment_over<Real, kMoments>(chord_sq, d, s);
   const V cut_off = select(inside, f1 * f2, -f1 * f2);
   c.piece.share = select(inside, zero, one) + cut_off + segment.share;
+  c.piece.m1 = c.piece.m2 = zero;
   if (!kMoments) return c;
   const V outward = select(inside, segment.outward, -segment.outward), of_cut_off = third * cut_off;
   c.piece.m1 = of_cut_off * (f1 - one) + segment.share * (half * f1 - third) + outward * k2;
@@ -171,69 +188,23 @@ inline CornerPiece<V, M> corner_piece(const Corners<V>& t, V power, V radius_sq)
   return c;
 }
 
-/// The cap of the disc that the first edge, both of its ends outside, cuts off: on the triangle's side and to be added
-/// (`sign` 1), or beyond and to be taken away (-1). Less than half of the disc.
-template <class Real, class V>
-inline Piece<V> cap_piece(const Corners<V>& t, V sign, V radius_sq) {
-  const V zero = spread(Real(0)), third = spread(Real(1.0 / 3));
-  const Plane<V> p = plane_of<Real>(t, radius_sq);
-  const V x1 = dot(t.x0, p.e1), over_e11 = spread(Real(1)) / p.e11;
-  const V discriminant = max(x1 * x1 - p.e11 * (dot(t.x0, t.x0) - radius_sq), zero);
-  const V half_chord_sq = discriminant * over_e11;
-  const V s = half_chord_sq * p.normal_sq * p.over_disc_sq;
-  const V chord_sq = spread(Real(4)) * half_chord_sq;
-  const Segment<V> segment = segment_over<Real>(chord_sq, p, s);
-  const V share = sign * segment.share, inward = segment.outward * sqrt(chord_sq * over_e11);
-  return {share, share * (-x1 * over_e11 - third) - inward * p.e12, inward * p.e11 - share * third};
-}
-
-/// How the sphere meets triangles with all corners outside.
-template <class V, class M>
-struct OutsideCase {
-  V longest_sq;
-  M missed;    ///< certainly
-  M simple;    ///< certainly met, and the sum of the caps of the edges cut
-  M cut[3];    ///< by edge
-  M added[3];  ///< the cap of the edge is on the triangle's side
-};
-
-template <class Real, class V, class M>
-inline OutsideCase<V, M> outside_case(const Corners<V>& t, V radius, V radius_sq) {
-  const V zero = spread(Real(0));
-  const Plane<V> p = plane_of<Real>(t, radius_sq);
-  const Vector3<V> normal = cross(p.e1, p.e2), e3 = t.x2 - t.x1;
-  const V e33 = dot(e3, e3);
-  OutsideCase<V, M> c;
-  c.longest_sq = max(p.e11, max(p.e22, e33));
-  const V margin = spread(Limits<Real>::kClear) * radius * max(radius, sqrt(c.longest_sq));
-  M narrow, unclear, any;
-  M once = zero > zero, twice = once;
-  unclear = any = once;
-  narrow = ~once;
-  const auto add_edge = [&](int i, const Vector3<V>& from, const Vector3<V>& to, const Vector3<V>& e, V length_sq) {
-    const V along = dot(from, e);
-    const V discriminant = along * along - length_sq * (dot(from, from) - radius_sq);
-    const M between = (along < zero) & (along + length_sq > zero);
-    c.cut[i] = between & (discriminant > zero);
-    c.added[i] = c.cut[i] & (dot(normal, cross(from, to)) < zero);
-    unclear = unclear | (between & (max(discriminant, -discriminant) <= margin * length_sq));
-    narrow = narrow & ~(c.cut[i] & (discriminant * p.normal_sq > spread(Real(kWidestArc)) * length_sq * p.disc_sq));
-    any = any | c.cut[i];
-    twice = twice | (once & c.added[i]);
-    once = once | c.added[i];
-  };
-  add_edge(0, t.x0, t.x1, p.e1, p.e11);
-  add_edge(1, t.x1, t.x2, e3, e33);
-  add_edge(2, t.x2, t.x0, -spread(Real(1)) * p.e2, p.e22);
-  const M above = (dot(normal, cross(t.x0, t.x1)) >= zero) & (dot(normal, cross(t.x1, t.x2)) >= zero) &
-                  (dot(normal, cross(t.x2, t.x0)) >= zero);
-  const M far = p.disc_sq < -margin * p.normal_sq;
-  constexpr Real kSliver = Limits<Real>::kSliver, kTiny = Limits<Real>::kTiny;
-  const M regular = (p.normal_sq >= spread(kSliver * kSliver) * c.longest_sq * c.longest_sq) &
-                    (p.normal_sq >= spread(kTiny * kTiny) * radius_sq * c.longest_sq);
-  c.missed = regular & ~any & ~unclear & (~above | far);
-  c.simple = well_shaped<Real>(p, c.longest_sq, radius_sq) & once & ~twice & ~unclear & narrow;
-  return c;
+/// Which of triangles with all corners outside the ball may reach into it: one of their edges does, or the disc lies
+/// within them. `margin`: in squared distances, for what is not to be missed by rounding.
+template <class Real, class M, class V>
+[[gnu::always_inline]] inline M may_reach(const Around<V>& t, const Disc<V>& d, V margin) {
+  const V zero = splat<V>(0), quarter = splat<V>(0.25), half = splat<V>(0.5);
+  M crossed = zero > zero;
+  for (int i = 0; i < 3; ++i) {
+    const V length_sq = t.edge_sq[i], twice = t.rise[i] - length_sq;
+    const M between = (absolute(t.rise[i]) < length_sq);
+    crossed = crossed | (between & (quarter * twice * twice >= length_sq * (t.power[i] - margin)));
+  }
+  // The foot of the centre, in barycentric coordinates times |n|^2.
+  const V e11 = t.edge_sq[0], e33 = t.edge_sq[1], e22 = t.edge_sq[2], e12 = half * (e11 + e22 - e33);
+  const V x1 = half * (t.rise[0] - e11), x2 = -half * (t.rise[2] + e22);
+  const V b1 = x2 * e12 - x1 * e22, b2 = x1 * e12 - x2 * e11;
+  const M above = (b1 >= zero) & (b2 >= zero) & (b1 + b2 <= d.normal_sq);
+  return crossed | (above & (d.disc_sq >= -margin * d.normal_sq));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -119,34 +120,42 @@ inline unsigned bits(MF mask) {
 }
 #endif
 
+inline VD absolute(VD a) {
+  constexpr long long kAll = 0x7fffffffffffffff;
+  return reinterpret_cast<VD>(reinterpret_cast<MD>(a) & MD{kAll, kAll, kAll, kAll});
+}
+inline VF absolute(VF a) {
+  constexpr int kAll = 0x7fffffff;
+  return reinterpret_cast<VF>(reinterpret_cast<MF>(a) & MF{kAll, kAll, kAll, kAll, kAll, kAll, kAll, kAll});
+}
+
+template <class V>
+using RealOf = std::decay_t<decltype(V{}[0])>;
+
+/// The same in all lanes.
+template <class V, class Real>
+inline V splat(Real s) {
+  return spread(static_cast<RealOf<V>>(s));
+}
+
+/// Lanes [0, count) of a vector.
+inline MD first_lanes(VD, int count) {
+  return VD{0, 1, 2, 3} < spread(static_cast<double>(count));
+}
+inline MF first_lanes(VF, int count) {
+  return VF{0, 1, 2, 3, 4, 5, 6, 7} < spread(static_cast<float>(count));
+}
+
 typedef float HalfVF __attribute__((vector_size(16)));
 
-inline HalfVF narrowed(VD a) {
-  return __builtin_convertvector(a, HalfVF);
-}
-
+/// The sums of lanes i and i + 4.
+inline VD widened_sum(VF a) {
 #if defined(__AVX__)
-inline VD low_half(VF a) {
-  return _mm256_cvtps_pd(_mm256_castps256_ps128(a));
-}
-inline VD high_half(VF a) {
-  return _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1));
-}
-inline VF narrowed(VD low, VD high) {
-  return _mm256_set_m128(narrowed(high), narrowed(low));
-}
+  return _mm256_cvtps_pd(_mm_add_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1)));
 #else
-inline VD low_half(VF a) {
-  return __builtin_convertvector(HalfVF{a[0], a[1], a[2], a[3]}, VD);
-}
-inline VD high_half(VF a) {
-  return __builtin_convertvector(HalfVF{a[4], a[5], a[6], a[7]}, VD);
-}
-inline VF narrowed(VD low, VD high) {
-  const HalfVF a = narrowed(low), b = narrowed(high);
-  return VF{a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
-}
+  return __builtin_convertvector(HalfVF{a[0], a[1], a[2], a[3]} + HalfVF{a[4], a[5], a[6], a[7]}, VD);
 #endif
+}
 
 inline VF widened(const std::int16_t* from) {
 #if defined(__AVX2__)
@@ -217,20 +226,6 @@ struct Compression {
   }
 };
 #endif
-
-/// Stores 8 pairs of 32 bits.
-inline void store_pairs(std::uint64_t* to, VF low, VF high) {
-#if defined(__AVX__)
-  const __m256 first = _mm256_unpacklo_ps(low, high), second = _mm256_unpackhi_ps(low, high);
-  store(to, _mm256_permute2f128_ps(first, second, 0x20));
-  store(to + 4, _mm256_permute2f128_ps(first, second, 0x31));
-#else
-  for (int i = 0; i < 8; ++i) {
-    __builtin_memcpy(to + i, reinterpret_cast<const float*>(&low) + i, 4);
-    __builtin_memcpy(reinterpret_cast<float*>(to + i) + 1, reinterpret_cast<const float*>(&high) + i, 4);
-  }
-#endif
-}
 
 template <class V>
 struct Vector2 {

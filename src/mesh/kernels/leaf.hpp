@@ -3,25 +3,25 @@
 
 #include "rim.hpp"
 
-// Leaves of a tree against a ball. Included by kernel files alone.
+// Leaves of a tree against balls: what they hold is inside, outside, or waits to be measured. Included by kernel files
+// alone.
 
 namespace kappa::kernels {
 namespace {
 
-/// Corners of 8 triangles against the centre, in the unit of the leaf.
-struct Placed {
-  VF origin[3];       ///< of the leaf, from the centre
-  VF distance_sq[3];  ///< of the corners, less `base`
+/// A leaf to a centre: squared distances of the corners of its triangles less `base`, in the unit of the leaf.
+struct Met {
+  VF origin[3];  ///< of the leaf, from the centre
+  VF distance_sq[3];
+  VF to_second, to_third;  ///< by how much those of the other corners are more than that of the first; for floats alone
   double base;
 };
 
-inline VF row_of(const Leaf<float>& leaf, int row) {
-  return load<VF>(leaf.x[row]);
+inline VF least(const Met& m) {
+  return min(m.distance_sq[0], min(m.distance_sq[1], m.distance_sq[2]));
 }
-inline VF row_of(const Leaf<double>& leaf, int row) {
-  return widened(leaf.x[row]);
-}
-/// In the unit of the tree.
+
+/// Of the tree.
 inline double unit_of(const Leaf<float>&) {
   return 1;
 }
@@ -31,17 +31,16 @@ inline double unit_of(const Leaf<double>& leaf) {
 
 /// The squared distance of a corner o + a, o the origin of the leaf, is taken as 2 o.a + a.a over o.o, for the sake of
 /// digits: on the rim of a large ball both are small.
-template <class Real>
-[[gnu::always_inline]] inline void place(const Leaf<Real>& leaf, const double* centre, Placed& p) {
+[[gnu::always_inline]] inline void meet(const Leaf<double>& leaf, const double* centre, Met& m) {
   VF a_sq = spread(0.0F), b_sq = a_sq, c_sq = a_sq;
-  p.base = 0;
+  m.base = 0;
   // Without inner loops: the compiler keeps all of it in registers.
   const auto add_axis = [&](int axis) __attribute__((always_inline)) {
     const double o = (leaf.origin[axis] - centre[axis]) * unit_of(leaf);
-    p.base += o * o;
-    p.origin[axis] = spread(static_cast<float>(o));
-    const VF a = row_of(leaf, axis), b = row_of(leaf, 3 + axis), c = row_of(leaf, 6 + axis);
-    const VF twice = p.origin[axis] + p.origin[axis];
+    m.base += o * o;
+    m.origin[axis] = spread(static_cast<float>(o));
+    const VF a = widened(leaf.x[axis]), b = widened(leaf.x[3 + axis]), c = widened(leaf.x[6 + axis]);
+    const VF twice = m.origin[axis] + m.origin[axis];
     a_sq += a * (twice + a);
     b_sq += b * (twice + b);
     c_sq += c * (twice + c);
@@ -49,58 +48,130 @@ template <class Real>
   add_axis(0);
   add_axis(1);
   add_axis(2);
-  p.distance_sq[0] = a_sq;
-  p.distance_sq[1] = b_sq;
-  p.distance_sq[2] = c_sq;
+  m.distance_sq[0] = a_sq;
+  m.distance_sq[1] = b_sq;
+  m.distance_sq[2] = c_sq;
+}
+
+/// Likewise, the other corners from the first: |x + e|^2 = |x|^2 + <2 x + e, e>.
+[[gnu::always_inline]] inline void meet(const Leaf<float>& leaf, const double* centre, Met& m) {
+  VF first_sq = spread(0.0F), second = first_sq, third = first_sq;
+  m.base = 0;
+  const auto add_axis = [&](int axis) __attribute__((always_inline)) {
+    const double o = static_cast<double>(leaf.origin[axis]) - centre[axis];
+    m.base += o * o;
+    m.origin[axis] = spread(static_cast<float>(o));
+    const VF a = load<VF>(leaf.x[axis]), e1 = load<VF>(leaf.e1[axis]), e2 = load<VF>(leaf.e2[axis]);
+    const VF x = m.origin[axis] + a, twice = x + x;
+    first_sq += a * (m.origin[axis] + x);
+    second += e1 * (twice + e1);
+    third += e2 * (twice + e2);
+  };
+  add_axis(0);
+  add_axis(1);
+  add_axis(2);
+  m.to_second = second;
+  m.to_third = third;
+  m.distance_sq[0] = first_sq;
+  m.distance_sq[1] = first_sq + second;
+  m.distance_sq[2] = first_sq + third;
+}
+
+/// Corners of the triangles of a leaf along an axis, from the centre.
+struct Row {
+  VF first, second, third;
+};
+inline Row row_of(const Leaf<double>& leaf, const Met& m, int axis) {
+  const VF o = m.origin[axis];
+  return {widened(leaf.x[axis]) + o, widened(leaf.x[3 + axis]) + o, widened(leaf.x[6 + axis]) + o};
+}
+inline Row row_of(const Leaf<float>& leaf, const Met& m, int axis) {
+  const VF a = load<VF>(leaf.x[axis]) + m.origin[axis];
+  return {a, a + load<VF>(leaf.e1[axis]), a + load<VF>(leaf.e2[axis])};
 }
 
 /// Triangles that lie beyond a plane which the ball does not reach, that square to the way to their centroid.
 template <class Real>
-inline MF beyond_plane(const Leaf<Real>& leaf, const Placed& p, VF reach_sq) {
+inline MF beyond_plane(const Leaf<Real>& leaf, const Met& m, VF reach_sq) {
   VF a_along = spread(0.0F), b_along = a_along, c_along = a_along, way_sq = a_along;
   for (int axis = 0; axis < 3; ++axis) {
-    const VF by = p.origin[axis];
-    const VF a = row_of(leaf, axis) + by, b = row_of(leaf, 3 + axis) + by, c = row_of(leaf, 6 + axis) + by;
-    const VF way = a + b + c;
-    a_along += a * way;
-    b_along += b * way;
-    c_along += c * way;
+    const Row row = row_of(leaf, m, axis);
+    const VF way = row.first + row.second + row.third;
+    a_along += row.first * way;
+    b_along += row.second * way;
+    c_along += row.third * way;
     way_sq += way * way;
   }
-  const VF least = min(a_along, min(b_along, c_along));
-  return (least > spread(0.0F)) & (least * least > reach_sq * way_sq);
+  const VF least_along = min(a_along, min(b_along, c_along));
+  return (least_along > spread(0.0F)) & (least_along * least_along > reach_sq * way_sq);
 }
 
-/// Triangles of the lanes `outside`, which have no corner in the ball, that may reach into it. A point with barycentric
-/// coordinates b_i is at |x|^2 = sum b_i |x_i|^2 - sum b_i b_j |x_i - x_j|^2: nearer than the nearest corner by at most
-/// a third of the longest edge squared. `reach_sq`: squared radius with what the distances may be off by.
+/// Triangles with a corner nearer than `bound`, and those without that may reach into the ball. A point with
+/// barycentric coordinates b_i is at |x|^2 = sum b_i |x_i|^2 - sum b_i b_j |x_i - x_j|^2: nearer than the nearest
+/// corner by at most a third of the longest edge squared. `reach_sq`: squared radius with what the distances may be off
+/// by.
 template <class Real>
-[[gnu::always_inline]] inline unsigned may_reach(const Leaf<Real>& leaf, const Placed& p, double reach_sq, MF outside) {
-  const auto bound = static_cast<float>(reach_sq - p.base + static_cast<double>(leaf.third_of_longest_sq));
-  const MF near = (min(p.distance_sq[0], min(p.distance_sq[1], p.distance_sq[2])) <= spread(bound)) & outside;
-  if (!bits(near)) return 0;
-  return bits(near & ~beyond_plane(leaf, p, spread(static_cast<float>(reach_sq))));
+[[gnu::always_inline]] inline unsigned near(const Leaf<Real>& leaf, const Met& m, double reach_sq) {
+  constexpr double kOut = 1 + 4e-6;  // for the roundings of floats
+  const VF nearest = least(m);
+  const unsigned in = bits(nearest <= spread(static_cast<float>(reach_sq - m.base)));
+  const double bound = reach_sq * kOut - m.base + static_cast<double>(leaf.third_of_longest_sq);
+  const unsigned outside = bits(nearest <= spread(static_cast<float>(bound))) & ~in;
+  if (!outside) return in;
+  return in | (outside & ~bits(beyond_plane(leaf, m, spread(static_cast<float>(reach_sq * kOut)))));
 }
 
-/// Adds the triangles of a leaf of floats to one ball; places without a triangle are infinitely far.
-inline void add_to_ball(const Rim<float>& rim, const Leaf<float>& leaf, const Placed& p, VF triangles, MF) {
-  constexpr double kOut = 1 + 4e-6;  // for the roundings of floats
-  const double radius_sq = rim.ball.reach * rim.ball.reach;
-  const VF bound = spread(static_cast<float>(radius_sq - p.base));
-  const MF in0 = p.distance_sq[0] <= bound, in1 = p.distance_sq[1] <= bound, in2 = p.distance_sq[2] <= bound;
-  const MF all = in0 & in1 & in2, any = in0 | in1 | in2;
-  let_triangles_wait(rim, triangles, bits(all));
-  const auto corner = [&](int row) { return row_of(leaf, row) + p.origin[row % 3]; };
-  if (const unsigned cut = bits(any & ~all)) {
-    if (rim.ball.corners.count > kRim - kWidth) make_corners_wait(rim);
-    const Turn<MF> turn(in0, in1, in2);
-    const VF first = select(turn.second, p.distance_sq[1], select(turn.third, p.distance_sq[2], p.distance_sq[0]));
-    let_wait(rim.ball.corners, corner, triangles, cut, turn, first - bound);
+/// Lets the triangles in the lanes of `mask` wait.
+[[gnu::always_inline]] inline void let_wait(Waiting<float>& w, const Leaf<float>& leaf, const Met& m, VF names,
+                                            VF bound, unsigned mask) {
+  const Compression<VF> packed(mask);
+  const int at = w.count;
+  for (int axis = 0; axis < 3; ++axis) {
+    store(w.x[axis] + at, packed(load<VF>(leaf.x[axis]) + m.origin[axis]));
+    store(w.e1[axis] + at, packed(load<VF>(leaf.e1[axis])));
+    store(w.e2[axis] + at, packed(load<VF>(leaf.e2[axis])));
+    store(w.u[axis] + at, packed(load<VF>(leaf.u[axis]) + spread(leaf.normal[axis])));
+    store(w.d1[axis] + at, packed(load<VF>(leaf.d1[axis])));
+    store(w.d2[axis] + at, packed(load<VF>(leaf.d2[axis])));
   }
-  const unsigned outside = may_reach(leaf, p, radius_sq * kOut, ~any);
-  if (!outside) return;
-  if (rim.ball.outside.count > kRim - kWidth) make_outside_wait(rim);
-  let_wait(rim.ball.outside, corner, triangles, outside, Turn<MF>(any, any, any), bound);
+  store(w.power + at, packed(m.distance_sq[0] - bound));
+  store(w.to_second + at, packed(m.to_second));
+  store(w.to_third + at, packed(m.to_third));
+  let_wait(w, packed, names, mask);
+}
+
+/// Adds the triangles of a leaf to one ball. Places without a triangle are infinitely far.
+template <bool kMoments>
+[[gnu::always_inline]] inline void add_to_ball(const Rim<float>& rim, const Leaf<float>& leaf, const Met& m, VF names,
+                                               std::size_t) {
+  const double radius_sq = rim.ball.radius_sq;
+  const unsigned mask = near(leaf, m, radius_sq);
+  if (!mask) return;
+  let_wait(rim.ball.waiting, leaf, m, names, spread(static_cast<float>(radius_sq - m.base)), mask);
+  make_room<kMoments>(rim);
+}
+
+/// What the squared distance of a corner may be off by where it is about that of the radius, in steps: a corner is off
+/// by half a step along each axis, and floats by 4e-7 |a| (2 |o| + |a|) with |a| below 57,000.
+inline double doubt(double radius) {
+  return 2.2 * radius + 1.2e4;
+}
+
+/// Those that are certainly inside have their measures; any doubt is left to the corners of the mesh. `count`:
+/// triangles from the first of the leaf on.
+template <bool kMoments>
+[[gnu::always_inline]] inline void add_to_ball(const Rim<double>& rim, const Leaf<double>& leaf, const Met& m, VF names,
+                                               std::size_t count) {
+  const double radius = rim.ball.radius * rim.ball.to_tree * unit_of(leaf), radius_sq = radius * radius;
+  const double off = doubt(radius);
+  const VF low = spread(static_cast<float>(radius_sq - m.base - off));
+  const VF farthest = max(m.distance_sq[0], max(m.distance_sq[1], m.distance_sq[2]));
+  const unsigned present = count < kWidth ? (1U << count) - 1 : 255, inside = bits(farthest <= low) & present;
+  const unsigned mask = near(leaf, m, radius_sq + off) & present & ~inside;
+  let_inside_wait(rim, names, inside);
+  if (!mask) return;
+  let_wait(rim.ball.waiting, Compression<VF>(mask), names, mask);
+  make_room<kMoments>(rim);
 }
 
 }  // namespace

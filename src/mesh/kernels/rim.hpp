@@ -3,299 +3,164 @@
 
 #include "corner_share.hpp"
 #include "sums.hpp"
+#include "waiting.hpp"
 
-// What a ball gets from the triangles on its rim: they wait by kind and are measured as many together as a vector has
-// lanes. Included by kernel files alone.
+// What a ball gets from triangles near its sphere: they wait until there are as many as a vector has lanes, and are
+// measured together. Included by kernel files alone.
 
 namespace kappa::kernels {
 namespace {
 
-/// What all steps need for one ball.
-template <class Real>
-struct Rim {
-  const TriangleView& triangles;
-  const BallQuery<Real>& query;
-  int radius;
-  Gathering<Real>& ball;
-};
-
-/// Lengths on the rim are in the unit of the tree in floats, so that their range does for data in any units.
-inline double radius_of(const Rim<double>& rim) {
-  return rim.query.radii[rim.radius];
-}
-inline float radius_of(const Rim<float>& rim) {
-  return static_cast<float>(rim.ball.reach);
-}
-inline double radius_sq_of(const Rim<double>& rim) {
-  return rim.query.radii_sq[rim.radius];
-}
-inline float radius_sq_of(const Rim<float>& rim) {
-  return static_cast<float>(rim.ball.reach * rim.ball.reach);
+/// Pieces times the weights of their triangles.
+template <class V>
+[[gnu::noinline]] Piece<V> weighed(const double* weights, const std::uint32_t* triangles, const Piece<V>& piece) {
+  V by = splat<V>(0);
+  for (int lane = 0; lane < Lanes<RealOf<V>>::kCount; ++lane)
+    by[lane] = static_cast<RealOf<V>>(weights[triangles[lane]]);
+  return {by * piece.share, by * piece.m1, by * piece.m2};
 }
 
-/// Which corner is alone on its side of the sphere.
-template <class M>
-struct Turn {
-  M second, third;
-  Turn(M in0, M in1, M in2) : second((in0 ^ in1) & ~(in0 ^ in2)), third((in0 ^ in2) & ~(in0 ^ in1)) {}
-};
-
-/// Stores what triangles are called while they wait.
-inline void store_names(std::uint64_t* to, const Compression<VD>& packed, VD triangles, const Turn<MD>& turn) {
-  constexpr long long kTurn = 1LL << 32;
-  const MD second = {kTurn, kTurn, kTurn, kTurn};
-  store(to, packed(reinterpret_cast<VD>(reinterpret_cast<MD>(triangles) | (turn.second & second) |
-                                        (turn.third & (second + second)))));
-}
-inline void store_names(std::uint64_t* to, const Compression<VF>& packed, VF triangles, const Turn<MF>& turn) {
-  const MF one = {1, 1, 1, 1, 1, 1, 1, 1};
-  const MF turns = (turn.second & one) | (turn.third & (one + one));
-  store_pairs(to, packed(triangles), packed(reinterpret_cast<VF>(turns)));
-}
-
-/// Lanes [0, count) of a vector.
-inline MD first_lanes(double count) {
-  return VD{0, 1, 2, 3} < spread(count);
-}
-inline MF first_lanes(float count) {
-  return VF{0, 1, 2, 3, 4, 5, 6, 7} < spread(count);
-}
-
-template <class Real>
-inline Corners<Vector<Real>> corners_at(const Waiting<Real>& w, int first) {
-  using V = Vector<Real>;
-  const auto row = [&](int i) { return load<V>(w.x[i] + first); };
-  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}, {row(6), row(7), row(8)}};
-}
-
-/// Lets the triangle at place `from` of `w` wait in `to`, turned by so many corners.
-template <class Real>
-inline int hand_on(const Waiting<Real>& w, int from, int turn, Waiting<Real>& to) {
-  const int place = to.count++;
-  for (int corner = 0; corner < 3; ++corner) {
-    const int of = (corner + turn) % 3;
-    for (int axis = 0; axis < 3; ++axis) to.x[3 * corner + axis][place] = w.x[3 * of + axis][from];
+/// Adds what triangles have beside their densities, times their shares.
+template <class Real, class V>
+[[gnu::noinline]] void add_beside(const double* beside, const std::uint32_t* triangles, V share,
+                                  Gathering<Real>& ball) {
+  for (int lane = 0; lane < Lanes<RealOf<V>>::kCount; ++lane) {
+    const double* const s = beside + std::size_t{kSums} * triangles[lane];
+    for (int i = 0; i < kSums; ++i) ball.sum[i] += static_cast<double>(share[lane]) * s[i];
   }
-  to.id[place] = triangle_of(w.id[from]) | ((w.id[from] >> 32) + static_cast<std::uint64_t>(turn)) % 3 << 32;
-  return place;
 }
 
-/// Calls `measure(first place, lanes that count)` for vectors of what waits, and empties it. The other lanes hold
-/// triangles that waited before; what they yield is not used.
-template <class Real, class Measure>
-inline void for_lanes(Waiting<Real>& w, const Measure& measure) {
-  constexpr int kLanes = Lanes<Real>::kCount;
-  for (int first = 0; first < w.count; first += kLanes) measure(first, first_lanes(static_cast<Real>(w.count - first)));
-  w.count = 0;
+/// Adds pieces of triangles, 0 in the lanes that do not count.
+template <class Real, class V>
+[[gnu::always_inline]] inline void add_pieces(const Rim<Real>& rim, const std::uint32_t* names, const Fan<V>& u,
+                                              const Placed<V>& t, const Vector3<V>& normal, V normal_sq,
+                                              Piece<V> piece) {
+  if (rim.triangles.beside) add_beside(rim.triangles.beside, names, piece.share, rim.ball);
+  if (rim.triangles.weights) piece = weighed(rim.triangles.weights, names, piece);
+  add_densities(u, t.e1, t.e2, normal, normal_sq, piece, rim.ball);
 }
 
-/// Adds the pieces in the lanes of `good`.
-template <class Real, bool kMoments, class M>
-inline void add_pieces(const Rim<Real>& rim, const Waiting<Real>& w, int first, const Piece<Vector<Real>>& piece,
-                       const Corners<Vector<Real>>& t, M good) {
-  using V = Vector<Real>;
-  // A lane that does not count may hold NaN, which 0 does not cancel.
-  const V zero = spread(Real(0));
-  const std::uint64_t* const ids = w.id + first;
-  const V by = weights_of<Real>(rim.triangles, ids);
-  const auto counted = [&](V of) { return select(good, by * of, zero); };
-  const Piece<V> weighted = {counted(piece.share), kMoments ? counted(piece.m1) : zero,
-                             kMoments ? counted(piece.m2) : zero};
-  add_densities(fan_of(rim.triangles.normals, rim.triangles, ids, Lanes<Real>()), t.x1 - t.x0, t.x2 - t.x0, weighted,
-                rim.ball);
-  if (!rim.triangles.beside) return;
-  Real share[Lanes<Real>::kCount];
-  store(share, select(good, piece.share, zero));
-  add_shares(rim.triangles.beside, ids, share, rim.ball);
-}
-
-inline void add_whole_triangles(const Rim<double>& rim) {
-  add_waiting(rim.ball, rim.triangles.measures);
-}
-inline void add_whole_triangles(const Rim<float>& rim) {
-  add_waiting(rim.ball, rim.triangles.float_measures);
-}
-
-/// Lets the triangles in the lanes of `mask` wait, whose corners `row` gives, the one that the turn says first.
-template <class Real, class Row>
-[[gnu::always_inline]] inline void let_wait(Waiting<Real>& w, const Row& row, Vector<Real> triangles, unsigned mask,
-                                            const Turn<Mask<Real>>& turn, Vector<Real> power) {
-  using V = Vector<Real>;
-  const int at = w.count;
-  const Compression<V> packed(mask);
-  const auto turned = [&](V a, V b, V c) { return packed(select(turn.second, b, select(turn.third, c, a))); };
-  for (int axis = 0; axis < 3; ++axis) {
-    const V a = row(axis), b = row(3 + axis), c = row(6 + axis);
-    store(w.x[axis] + at, turned(a, b, c));
-    store(w.x[3 + axis] + at, turned(b, c, a));
-    store(w.x[6 + axis] + at, turned(c, a, b));
-  }
-  store(w.power + at, packed(power));
-  store_names(w.id + at, packed, triangles, turn);
-  w.count = at + __builtin_popcount(mask);
-}
-
-/// Lets the triangles in the lanes of `mask` wait, all inside of the ball.
-template <class Real>
-inline void let_triangles_wait(const Rim<Real>& rim, VF triangles, unsigned mask) {
-  Gathering<Real>& ball = rim.ball;
-  store(ball.whole + ball.whole_count, Compression<VF>(mask)(triangles));
-  const int count = __builtin_popcount(mask);
-  ball.whole_count += count;
-  ball.faces += static_cast<unsigned>(count);
-  if (ball.whole_count >= kWaiting) add_whole_triangles(rim);
-}
-
-/// Counts triangles that were measured together, and what the error of their sum depends on.
-template <class Real, class M>
-inline void count_measured(const Rim<Real>& rim, Vector<Real> longest_sq, M of) {
+/// Counts triangles that were measured together, and, in doubles, what the error of their sum depends on.
+template <class Real, class V, class M>
+inline void count_measured(Gathering<Real>& ball, V longest_sq, M of) {
   const auto count = static_cast<unsigned>(__builtin_popcount(bits(of)));
-  rim.ball.measured += count;
-  rim.ball.faces += count;
-  add_lanes(rim.ball.longest_sq, select(of, longest_sq, spread(Real(0))));
+  ball.faces += count;
+  if constexpr (std::is_same_v<RealOf<V>, double>) {
+    ball.measured += count;
+    add_lanes(ball.longest_sq, select(of, longest_sq, splat<V>(0)));
+  }
 }
 
-/// Whether all that waits has gone to the careful forms.
-template <class Real>
-inline bool all_to_careful(const Rim<Real>& rim, Waiting<Real>& w) {
-  if (!rim.query.all_careful) return false;
-  for (int i = 0; i < w.count; ++i)
-    rim.query.careful(rim.query.context, static_cast<std::uint32_t>(w.id[i]), rim.radius);
-  w.count = 0;
-  return true;
-}
-
-/// Share and moments by the form that is right for every case but slivers and contact.
-template <class Real, bool kMoments>
-void add_irregular(const Rim<Real>& rim) {
-  using V = Vector<Real>;
-  Waiting<Real>& w = rim.ball.irregular;
-  const V third = spread(Real(1.0 / 3));
-  for_lanes(w, [&](int first, Mask<Real> valid) {
-    const Corners<V> t = corners_at(w, first);
-    const auto part = disc_shares<Real, V, Mask<Real>>(t, radius_of(rim));
-    const Mask<Real> certain = part.certain & valid;
+/// Adds what takes the general form, which is right for every case but slivers and contact.
+template <bool kMoments, class Real>
+[[gnu::noinline]] void add_irregular(const Rim<Real>& rim) {
+  const int count = rim.ball.irregular.count;
+  const VD third = spread(1.0 / 3), zero = spread(0.0);
+  for (int first = 0; first < count; first += 4) {
+    const std::uint32_t* const names = rim.ball.irregular.triangle + first;
+    const auto four = four_irregular(rim, first);
+    const auto part = disc_shares<double, VD, MD>(four.corners(), rim.ball.radius);
+    const MD valid = first_lanes(zero, count - first), certain = part.certain & valid;
     for (unsigned rest = bits(valid & ~certain & ~part.missed); rest != 0; rest &= rest - 1)
-      rim.query.careful(rim.query.context, static_cast<std::uint32_t>(w.id[first + __builtin_ctz(rest)]), rim.radius);
-    count_measured(rim, part.longest * part.longest, certain);
-    const Piece<V> piece = {part.share, part.share * (part.b1 - third), part.share * (part.b2 - third)};
-    add_pieces<Real, kMoments>(rim, w, first, piece, t, certain);
-  });
+      rim.query.careful(rim.query.context, names[__builtin_ctz(rest)], rim.number);
+    if (!bits(certain)) continue;
+    count_measured(rim.ball, part.longest * part.longest, certain);
+    // A lane that does not count may hold NaN, which 0 does not cancel.
+    const auto counted = [&](VD of) { return select(certain, of, zero); };
+    const Piece<VD> piece = {counted(part.share), kMoments ? counted(part.share * (part.b1 - third)) : zero,
+                             kMoments ? counted(part.share * (part.b2 - third)) : zero};
+    const Placed<VD> t = four.placed();
+    const Vector3<VD> normal = cross(t.e1, t.e2);
+    add_pieces(rim, names, four.normals(), t, normal, dot(normal, normal), piece);
+  }
+  rim.ball.irregular.count = 0;
 }
 
-template <class Real, bool kMoments>
-void add_caps(const Rim<Real>& rim) {
-  using V = Vector<Real>;
-  Waiting<Real>& w = rim.ball.caps;
-  const V radius_sq = spread(radius_sq_of(rim));
-  for_lanes(w, [&](int first, Mask<Real> valid) {
-    const Corners<V> t = corners_at(w, first);
-    const Piece<V> piece = cap_piece<Real>(t, load<V>(w.sign + first), radius_sq);
-    add_pieces<Real, kMoments>(rim, w, first, piece, t, valid);
-  });
-}
-
-/// Makes room for three more caps and one more irregular triangle a lane.
-template <class Real, bool kMoments>
-inline void make_room(const Rim<Real>& rim) {
-  constexpr int kLanes = Lanes<Real>::kCount;
-  if (rim.ball.caps.count + 3 * kLanes > kRim) add_caps<Real, kMoments>(rim);
-  if (rim.ball.irregular.count + kLanes > kRim) add_irregular<Real, kMoments>(rim);
-}
-
-template <class Real>
-inline void let_cap_wait(const Rim<Real>& rim, const Waiting<Real>& w, int place, int edge, Real sign) {
-  rim.ball.caps.sign[hand_on(w, place, edge, rim.ball.caps)] = sign;
-}
-
-template <class Real, bool kMoments>
-void add_corners(const Rim<Real>& rim) {
-  using V = Vector<Real>;
-  Waiting<Real>& w = rim.ball.corners;
-  if (all_to_careful(rim, w)) return;
-  const V radius_sq = spread(radius_sq_of(rim));
-  for_lanes(w, [&](int first, Mask<Real> valid) {
-    const Corners<V> t = corners_at(w, first);
-    const auto c = corner_piece<Real, kMoments, V, Mask<Real>>(t, load<V>(w.power + first), radius_sq);
-    const Mask<Real> good = c.good & valid;
-    make_room<Real, kMoments>(rim);
-    for (unsigned rest = bits(valid & ~good); rest != 0; rest &= rest - 1)
-      hand_on(w, first + __builtin_ctz(rest), 0, rim.ball.irregular);
-    for (unsigned rest = bits(c.opposite_cut & good); rest != 0; rest &= rest - 1)
-      let_cap_wait(rim, w, first + __builtin_ctz(rest), 1, Real(-1));
-    count_measured(rim, c.longest_sq, good);
-    add_pieces<Real, kMoments>(rim, w, first, c.piece, t, good);
-  });
-}
-
-/// Sorts the triangles with all corners outside.
-template <class Real, bool kMoments>
-void sort_outside(const Rim<Real>& rim) {
-  using V = Vector<Real>;
-  Waiting<Real>& w = rim.ball.outside;
-  if (all_to_careful(rim, w)) return;
-  const V radius = spread(radius_of(rim));
-  const V radius_sq = spread(radius_sq_of(rim));
-  for_lanes(w, [&](int first, Mask<Real> valid) {
-    const auto c = outside_case<Real, V, Mask<Real>>(corners_at(w, first), radius, radius_sq);
-    const unsigned simple = bits(c.simple & valid);
-    const unsigned other = bits(valid & ~c.simple & ~c.missed);
-    if (!(simple | other)) return;
-    make_room<Real, kMoments>(rim);
-    for (unsigned rest = other; rest != 0; rest &= rest - 1)
-      hand_on(w, first + __builtin_ctz(rest), 0, rim.ball.irregular);
-    for (int edge = 0; simple != 0 && edge < 3; ++edge) {
-      const unsigned added = bits(c.added[edge]);
-      for (unsigned rest = bits(c.cut[edge]) & simple; rest != 0; rest &= rest - 1) {
-        const int lane = __builtin_ctz(rest);
-        let_cap_wait(rim, w, first + lane, edge, (added >> lane & 1) ? Real(1) : Real(-1));
-      }
+/// Lets triangles that wait from place `first` on take the general form, those in the lanes of `mask`.
+template <bool kMoments, class Real>
+[[gnu::noinline]] void hand_on(const Rim<Real>& rim, int first, unsigned mask) {
+  for (; mask != 0; mask &= mask - 1) {
+    const int place = first + __builtin_ctz(mask);
+    if (rim.query.all_careful) {
+      rim.query.careful(rim.query.context, rim.ball.waiting.triangle[place], rim.number);
+    } else {
+      make_irregular(rim.ball.waiting, place, rim.ball.irregular);
     }
-    count_measured(rim, c.longest_sq, c.simple & valid);
-  });
+  }
+  if (rim.ball.irregular.count >= kRim) add_irregular<kMoments>(rim);
 }
 
-template <class Real, bool kMoments>
-void add_all_waiting(const Rim<Real>& rim) {
-  add_corners<Real, kMoments>(rim);
-  sort_outside<Real, kMoments>(rim);
-  add_caps<Real, kMoments>(rim);
-  add_irregular<Real, kMoments>(rim);
-  add_whole_triangles(rim);
-}
-
-template <class Real>
-inline void finish_rim(const Rim<Real>& rim) {
-  if (rim.query.exact_density) {
-    add_all_waiting<Real, true>(rim);
+/// For triangles that the rounding of squared distances is not to hide. In floats what it hides is less than what it
+/// does to the others.
+template <class V>
+[[gnu::always_inline]] inline V margin_of(V longest_sq, double radius) {
+  if constexpr (std::is_same_v<RealOf<V>, double>) {
+    const V r = splat<V>(radius);
+    return splat<V>(Limits<double>::kClear) * r * max(r, sqrt(longest_sq));
   } else {
-    add_all_waiting<Real, false>(rim);
+    return splat<V>(0);
   }
 }
 
-template <class Real>
-inline void make_corners_wait(const Rim<Real>& rim) {
-  if (rim.query.exact_density) {
-    add_corners<Real, true>(rim);
-  } else {
-    add_corners<Real, false>(rim);
-  }
+/// Adds as many waiting triangles as there are lanes, from place `first` on and below `end`.
+template <bool kMoments, class Real>
+[[gnu::always_inline]] inline void add_lanes_from(const Rim<Real>& rim, int first, int end) {
+  using V = Vector<Real>;
+  using M = decltype(V{} < V{});
+  const V zero = splat<V>(0), one = splat<V>(1), radius_sq = splat<V>(rim.ball.radius_sq);
+  const InLanes<Real> from(rim, rim.ball.waiting, first);
+  const Placed<V> t = from.placed();
+  const Vector3<V> e3 = t.e2 - t.e1, normal = cross(t.e1, t.e2);
+  const Powers<V> p = from.powers(radius_sq);
+  const Around<V> a = {{p.first, p.second, p.third},
+                       {p.to_second, p.to_third - p.to_second, -p.to_third},
+                       {dot(t.e1, t.e1), dot(e3, e3), dot(t.e2, t.e2)}};
+  const V longest_sq = max(a.edge_sq[0], max(a.edge_sq[1], a.edge_sq[2])), from_plane = dot(normal, t.x);
+  const V normal_sq = dot(normal, normal), disc_sq = radius_sq * normal_sq - from_plane * from_plane;
+  const Disc<V> d = {normal_sq, disc_sq, one / disc_sq};
+  const M in0 = p.first <= zero, in1 = p.second <= zero, in2 = p.third <= zero, valid = first_lanes(zero, end - first);
+  const M all = in0 & in1 & in2 & valid, any = (in0 | in1 | in2) & valid, cut = any & ~all;
+
+  const Turn<M> turn(in0, in1, in2);
+  const auto corner = corner_piece<Real, kMoments, M>(turned(a, turn), d, longest_sq, radius_sq);
+  const M good = rim.query.all_careful ? (cut & ~cut) : (cut & corner.good);
+  const Piece<V> part = turned_back(corner.piece, turn);
+  const Piece<V> piece = {select(good, part.share, select(all, one, zero)), select(good, part.m1, zero),
+                          select(good, part.m2, zero)};
+  const std::uint32_t* const names = rim.ball.waiting.triangle + first;
+  count_measured(rim.ball, longest_sq, good);
+  rim.ball.faces += static_cast<unsigned>(__builtin_popcount(bits(all)));
+  M other = cut & ~good;
+  const M outside = valid & ~any;
+  if (bits(outside)) other = other | (outside & may_reach<Real, M>(a, d, margin_of(longest_sq, rim.ball.radius)));
+  if (const unsigned rest = bits(other)) hand_on<kMoments>(rim, first, rest);
+  add_pieces(rim, names, from.normals(), t, normal, normal_sq, piece);
 }
-template <class Real>
-inline void make_irregular_wait(const Rim<Real>& rim) {
-  if (rim.query.exact_density) {
-    add_irregular<Real, true>(rim);
-  } else {
-    add_irregular<Real, false>(rim);
-  }
+
+/// Adds all that waits.
+template <bool kMoments, class Real>
+[[gnu::noinline]] void add_all_waiting(const Rim<Real>& rim) {
+  const int end = rim.ball.waiting.count;
+  for (int first = 0; first < end; first += Lanes<Real>::kCount) add_lanes_from<kMoments>(rim, first, end);
+  rim.ball.waiting.count = 0;
+  add_irregular<kMoments>(rim);
 }
-template <class Real>
-inline void make_outside_wait(const Rim<Real>& rim) {
-  if (rim.query.exact_density) {
-    sort_outside<Real, true>(rim);
-  } else {
-    sort_outside<Real, false>(rim);
-  }
+
+/// Adds kRim of those that wait, and leaves the others, fewer than kWidth.
+template <bool kMoments, class Real>
+[[gnu::noinline]] void add_most(const Rim<Real>& rim) {
+  for (int first = 0; first < kRim; first += Lanes<Real>::kCount) add_lanes_from<kMoments>(rim, first, kRim);
+  move_down(rim.ball.waiting);
+}
+
+template <bool kMoments, class Real>
+inline void make_room(const Rim<Real>& rim) {
+  if (rim.ball.waiting.count >= kRim) add_most<kMoments>(rim);
+}
+
+/// Lets triangles in the lanes of `mask` wait whose stored measures count as they are.
+inline void let_inside_wait(const Rim<double>& rim, VF names, unsigned mask) {
+  rim.ball.faces += let_whole_wait(rim.ball, rim.triangles.measures, names, mask);
 }
 
 }  // namespace

@@ -9,23 +9,16 @@
 namespace kappa::kernels {
 namespace {
 
-inline VD four_of(const double* from) {
-  return load<VD>(from);
-}
-inline VD four_of(const float* from) {
-  return __builtin_convertvector(load<HalfVF>(from), VD);
-}
-
 /// Adds the sums that wait, in their order, in registers.
-template <class Real, class Of>
-inline void add_waiting(Gathering<Real>& ball, const Of* sums) {
+template <class Real>
+inline void add_waiting(Gathering<Real>& ball, const double* sums) {
   VD a = load<VD>(ball.sum), b = load<VD>(ball.sum + 4);
   double c = ball.sum[8];
   for (int i = 0; i < ball.whole_count; ++i) {
-    const Of* const s = sums + std::size_t{kSums} * ball.whole[i];
-    a += four_of(s);
-    b += four_of(s + 4);
-    c += static_cast<double>(s[8]);
+    const double* const s = sums + std::size_t{kSums} * ball.whole[i];
+    a += load<VD>(s);
+    b += load<VD>(s + 4);
+    c += s[8];
   }
   store(ball.sum, a);
   store(ball.sum + 4, b);
@@ -55,23 +48,6 @@ inline unsigned let_whole_wait(Gathering<Real>& ball, const double* sums, VF whi
   ball.whole_count += static_cast<int>(count);
   if (ball.whole_count >= kWaiting) add_waiting(ball, sums);
   return count;
-}
-
-/// Adds the sums of those in all lanes, whose names are the lower halves of `ids`, times their shares.
-template <class Real>
-inline void add_shares(const double* sums, const std::uint64_t* ids, const Real* share, Gathering<Real>& ball) {
-  VD a = load<VD>(ball.sum), b = load<VD>(ball.sum + 4);
-  double c = ball.sum[8];
-  for (int lane = 0; lane < Lanes<Real>::kCount; ++lane) {
-    const double* const s = sums + std::size_t{kSums} * static_cast<std::uint32_t>(ids[lane]);
-    const auto factor = static_cast<double>(share[lane]);
-    a += spread(factor) * load<VD>(s);
-    b += spread(factor) * load<VD>(s + 4);
-    c += factor * s[8];
-  }
-  store(ball.sum, a);
-  store(ball.sum + 4, b);
-  ball.sum[8] = c;
 }
 
 }  // namespace

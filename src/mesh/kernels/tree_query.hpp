@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "named_rim.hpp"
+#include "leaf.hpp"
 #include "nodes.hpp"
 
 // The walk through the tree for one centre and all radii: level by level, so that the order of all additions is that of
@@ -15,7 +15,19 @@ inline std::uint64_t missing_in_last(const NodeView& tree, int level) {
   return (static_cast<std::uint64_t>(tree.level[level].nodes) << 3 * (level + 1)) - tree.triangles;
 }
 
-template <class Real>
+/// The unit in which triangles on the rim are measured: that of the mesh in doubles; that of the tree in floats, so
+/// that their range does for data in any units.
+inline void set_unit(const NodeView& tree, Gathering<double>& ball) {
+  ball.to_tree = tree.unit;
+}
+inline void set_unit(const NodeView& tree, Gathering<float>& ball) {
+  ball.unit = tree.unit;
+  ball.to_tree = 1;
+  ball.radius *= tree.unit;
+  ball.radius_sq = ball.radius * ball.radius;
+}
+
+template <class Real, bool kMoments>
 class Walk {
  public:
   Walk(const TreeView<Real>& tree, const BallQuery<Real>& query, const Visits& visits)
@@ -23,9 +35,8 @@ class Walk {
     for (int axis = 0; axis < 3; ++axis) at_[axis] = static_cast<float>(place_.at[axis]);
     for (int i = 0; i < query.count; ++i) {
       Gathering<Real>& ball = query.balls[i];
-      ball.unit = tree.nodes.unit;
-      ball.reach = query.radii[i] * tree.nodes.unit;
-      const BoxBounds bounds(ball.reach, place_.farthest);
+      set_unit(tree.nodes, ball);
+      const BoxBounds bounds(query.radii[i] * tree.nodes.unit, place_.farthest);
       ball.out_sq = bounds.out_sq;
       ball.in_sq = bounds.in_sq;
     }
@@ -66,9 +77,6 @@ class Walk {
   }
 
   void prefetch_leaf(std::uint32_t leaf) const {
-    const std::uint32_t* const corners = tree_.triangles.corners + std::size_t{3 * kWidth} * leaf;
-    __builtin_prefetch(corners);
-    __builtin_prefetch(corners + 16);
     const auto* const first = reinterpret_cast<const char*>(tree_.leaves + leaf);
     for (std::size_t byte = 0; byte < sizeof(Leaf<Real>); byte += 64) __builtin_prefetch(first + byte);
   }
@@ -132,14 +140,13 @@ class Walk {
   }
 
   void add_leaf(std::uint32_t leaf, const Range& radii) const {
-    Placed p;
-    place(tree_.leaves[leaf], place_.at, p);
-    const VF triangles = numbers_from(kWidth * leaf);
+    Met m;
+    meet(tree_.leaves[leaf], place_.at, m);
+    const VF names = numbers_from(kWidth * leaf);
     const std::size_t left = tree_.triangles.count - std::size_t{kWidth} * leaf;
-    const MF present = first_lanes(left < kWidth ? static_cast<float>(left) : float{kWidth});
     for (int radius = radii.first; radius < radii.last; ++radius) {
       const Rim<Real> rim = {tree_.triangles, query_, radius, query_.balls[radius]};
-      add_to_ball(rim, tree_.leaves[leaf], p, triangles, present);
+      add_to_ball<kMoments>(rim, tree_.leaves[leaf], m, names, left);
     }
   }
 
@@ -153,9 +160,15 @@ class Walk {
   std::size_t found_ = 0;  ///< nodes of the level that are to be opened
 };
 
-template <class Real>
-void run_query(const TreeView<Real>& tree, const BallQuery<Real>& query, const Visits& visits) {
-  Walk<Real> walk(tree, query, visits);
+/// Adds the measures of triangles that wait with them.
+inline void add_whole_triangles(const Rim<double>& rim) {
+  add_waiting(rim.ball, rim.triangles.measures);
+}
+inline void add_whole_triangles(const Rim<float>&) {}
+
+template <class Real, bool kMoments>
+void run_walk(const TreeView<Real>& tree, const BallQuery<Real>& query, const Visits& visits) {
+  Walk<Real, kMoments> walk(tree, query, visits);
   if (query.count == 1) {
     walk.template run<false>();
   } else {
@@ -163,8 +176,17 @@ void run_query(const TreeView<Real>& tree, const BallQuery<Real>& query, const V
   }
   for (int radius = 0; radius < query.count; ++radius) {
     const Rim<Real> rim = {tree.triangles, query, radius, query.balls[radius]};
-    finish_named(rim);
-    finish_rim(rim);
+    add_all_waiting<kMoments>(rim);
+    add_whole_triangles(rim);
+  }
+}
+
+template <class Real>
+void run_query(const TreeView<Real>& tree, const BallQuery<Real>& query, const Visits& visits) {
+  if (query.exact_density) {
+    run_walk<Real, true>(tree, query, visits);
+  } else {
+    run_walk<Real, false>(tree, query, visits);
   }
 }
 

@@ -19,8 +19,7 @@ inline constexpr int kRim = 32;        ///< triangles waiting to be measured, a 
 /// The arrays of a MeasuredTriangles.
 struct TriangleView {
   std::size_t count;
-  const double* measures;        ///< kSums each; null for a tree in floats
-  const float* float_measures;   ///< likewise, for a tree in floats
+  const double* measures;        ///< kSums each; null if they are not kept
   const std::uint32_t* corners;  ///< 3 each
   const double* positions;       ///< 3 a vertex
   const double* normals;         ///< 3 a vertex
@@ -34,12 +33,12 @@ struct alignas(64) BoxBlock {
   float lo[3][kWidth], hi[3][kWidth];
 };
 
-/// Corners of 8 triangles side by side, coordinate by coordinate, from an origin in the unit of the tree.
+/// Eight triangles side by side, coordinate by coordinate.
 template <class Real>
 struct Leaf;
 
-/// For doubles, in whole steps: they tell triangles inside and outside from those on the rim, whose corners are then
-/// taken from the mesh.
+/// For doubles, corners in whole steps from an origin in the unit of the tree: they tell triangles inside and outside
+/// from those near the sphere, which are then taken from the mesh.
 template <>
 struct alignas(16) Leaf<double> {
   std::int16_t x[9][kWidth];
@@ -48,11 +47,14 @@ struct alignas(16) Leaf<double> {
   float third_of_longest_sq;  ///< edge, in steps, rounded up
 };
 
-/// For floats, in the unit of the tree; infinity where there is no triangle.
+/// For floats, in the unit of the tree, all that is needed of them: the first corner from an origin nearby, and the
+/// ways from it to the other two; the first normal from a normal nearby, and the ways likewise. Ways keep their digits
+/// whatever lies in the same leaf. Where there is no triangle, the first corner is infinitely far and all else 0.
 template <>
-struct Leaf<float> {
-  float x[9][kWidth];
-  double origin[3];
+struct alignas(32) Leaf<float> {
+  float x[3][kWidth], e1[3][kWidth], e2[3][kWidth];
+  float u[3][kWidth], d1[3][kWidth], d2[3][kWidth];
+  float origin[3], normal[3];
   float third_of_longest_sq;  ///< edge, rounded up
 };
 
@@ -100,49 +102,54 @@ struct Visits {
   Range* ranges[2];
 };
 
-/// Triangles that wait to be measured together: corners relative to the centre of the ball.
-template <class Real>
-struct alignas(64) Waiting {
+/// Names of triangles that wait to be measured together.
+struct Names {
   static constexpr int kPlaces = kRim + kWidth;
-  Real x[9][kPlaces];
-  Real power[kPlaces];  ///< |first corner|^2 - radius^2
-  Real sign[kPlaces];   ///< of a cap
-  std::uint64_t
-      id[kPlaces];  ///< index of the triangle, and above bit 32 the number of the corner that is the first here
+  std::uint32_t triangle[kPlaces];
   int count;
 };
 
-/// Triangles, and which of their corners comes first.
-struct Named {
-  std::uint32_t triangle[kRim + kWidth], turn[kRim + kWidth];
-  int count;
-};
-
-/// Triangles on the rim whose corners are not yet taken from the mesh.
+/// Triangles of the mesh near the sphere.
 template <class Real>
-struct NamedRim {};
+struct Waiting : Names {};
+
+/// Triangles that take the general form, in doubles whatever the precision.
+template <class Real>
+struct Irregular : Names {};
+
+/// Those of leaves of floats: corners relative to the centre, and what their normals are, as they wait. The mesh is far
+/// from where a walk goes.
 template <>
-struct NamedRim<double> {
-  Named corners, outside;
+struct alignas(32) Irregular<float> : Names {
+  double x[3][kPlaces], e1[3][kPlaces], e2[3][kPlaces];
+  double u[3][kPlaces], d1[3][kPlaces], d2[3][kPlaces];
+};
+
+/// Triangles of leaves of floats near the sphere, as they stand there but relative to the centre.
+template <>
+struct alignas(32) Waiting<float> : Names {
+  float x[3][kPlaces], e1[3][kPlaces], e2[3][kPlaces];
+  float u[3][kPlaces], d1[3][kPlaces], d2[3][kPlaces];
+  float power[kPlaces];                         ///< |first corner|^2 - radius^2
+  float to_second[kPlaces], to_third[kPlaces];  ///< by how much that of the other corners is more
 };
 
 /// What a ball has got so far.
 template <class Real>
 struct alignas(64) Gathering {
   double sum[12];          ///< kSums used
-  double lanes[kSums][8];  ///< of triangles measured together, a lane each; floats in the unit of the tree
-  double longest_sq[8];    ///< sum over the triangles that were measured together, a lane each
+  double lanes[kSums][4];  ///< of triangles measured together, a lane each, in the unit of the walk
+  double longest_sq[4];    ///< sum over the triangles that were measured together, a lane each; in doubles alone
   std::uint64_t measured;  ///< how many these are
   std::uint64_t faces;     ///< met
   std::uint32_t whole[kWaiting + kWidth];  ///< nodes of one level or triangles inside, whose sums are to be added
   int whole_count;
-  float out_sq, in_sq;  ///< in the unit of the tree: boxes farther away are out, nearer ones in
-  double unit, reach;   ///< of the tree, which lengths are multiplied by, and the radius in it
-  NamedRim<Real> named;
-  Waiting<Real> corners;    ///< one corner, the first, is on the other side of the sphere than the others
-  Waiting<Real> outside;    ///< all corners outside the ball
-  Waiting<Real> caps;       ///< what the first edge cuts off from the disc
-  Waiting<Real> irregular;  ///< anything else
+  float out_sq, in_sq;       ///< in the unit of the tree: boxes farther away are out, nearer ones in
+  double unit;               ///< of the walk: lengths in `waiting` and `lanes` are multiplied by it
+  double radius, radius_sq;  ///< in it
+  double to_tree;            ///< what makes lengths of the walk those of the tree
+  Waiting<Real> waiting;
+  Irregular<Real> irregular;
 };
 
 /// One query.
