@@ -146,8 +146,9 @@ Cost cost(const Subject& s, const Splitting& how, double radius, int order) {
   MeasuredTriangles t = split(s, how);
   const double is_split = cpu_seconds();
   const double points = static_cast<double>(t.x.size() * 2 * sizeof(Vec3));
-  const double parts = static_cast<double>(
-      t.size() * (sizeof(t.corners[0]) + sizeof(t.weights[0]) + sizeof(t.measures[0]) + sizeof(t.faces[0])));
+  const double parts =
+      static_cast<double>(t.size() * (sizeof(t.corners[0]) + sizeof(t.measures[0]) + sizeof(t.faces[0])) +
+                          t.weights.size() * sizeof(double));
   const MeasureTree balls(std::move(t));
   estimate_curvatures(balls, s.u, at(radius, order));
   return {is_split - start, cpu_seconds() - is_split, points + parts + static_cast<double>(balls.bytes())};

@@ -22,7 +22,7 @@ MeasureSum density_excess(const MeasuredTriangles& triangles, std::size_t t, con
   const Vec3 difference = (part.b1 - 1.0 / 3) * d1 + (part.b2 - 1.0 / 3) * d2;
   MeasureSum m = triangle_density_sum(triangles.x[c[1]] - x0, triangles.x[c[2]] - x0, d1, d2, difference);
   m.area = 0;
-  m *= triangles.weights[t];
+  m *= triangles.weight(t);
   return m;
 }
 
@@ -83,7 +83,7 @@ MeasureSum measures_of(const MeasuredTriangles& triangles, std::size_t t) {
   const Vec3 &x0 = triangles.x[c[0]], &u0 = triangles.u[c[0]], &u1 = triangles.u[c[1]], &u2 = triangles.u[c[2]];
   MeasureSum m =
       triangle_density_sum(triangles.x[c[1]] - x0, triangles.x[c[2]] - x0, u1 - u0, u2 - u0, (u0 + u1 + u2) / 3.0);
-  m *= triangles.weights[t];
+  m *= triangles.weight(t);
   if (!triangles.beside.empty()) m += triangles.beside[t];
   return m;
 }

@@ -58,7 +58,7 @@ void add_limit(const MeasuredTriangles& triangles, std::size_t t, std::size_t co
   MeasureSum m = measures_of(triangles, t);
   ++to.face_count;
   if (!(m.area > 0)) return;
-  m *= triangles.weights[t] * angle / m.area;
+  m *= triangles.weight(t) * angle / m.area;
   to.sum += m;
 }
 

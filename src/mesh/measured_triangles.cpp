@@ -48,9 +48,31 @@ void add_face(MeasuredTriangles& t, const Mesh& mesh, std::size_t f) {
     add_fan(t, face);
   }
   for (std::size_t i = t.faces.size(); i < t.corners.size(); ++i) {
-    t.weights.push_back(mesh.weight(f));
+    if (!mesh.weights.empty()) t.weights.push_back(mesh.weights[f]);
     t.faces.push_back(static_cast<Index>(f));
   }
+}
+
+/// Returns whether all of them have a position and a normal.
+bool take_vertices(MeasuredTriangles& t, const Mesh& mesh, const Normals& normals) {
+  t.vertices = mesh.vertices.size();
+  reserve_large(t.x, t.vertices);
+  reserve_large(t.u, t.vertices);
+  bool all = true;
+  for (std::size_t v = 0; v < t.vertices; ++v) {
+    const Vec3 &x = mesh.vertices[v], &u = normals[v];
+    t.x.push_back(x);
+    t.u.push_back(u);
+    all &= is_finite(x) & is_finite(u) & ((u[0] != 0) | (u[1] != 0) | (u[2] != 0));
+  }
+  return all;
+}
+
+/// Calls `grow(begin, end)` for what fits in the nearest cache after the other: arrays that are cleared as they grow,
+/// and then written, are passed over once.
+template <class Grow>
+void grow_at_hand(std::size_t count, const Grow& grow) {
+  for (std::size_t begin = 0; begin < count; begin += kAtHand) grow(begin, std::min(begin + kAtHand, count));
 }
 
 /// Faces that are all triangles and all to be measured.
@@ -58,13 +80,13 @@ void take_all(MeasuredTriangles& t, const Mesh& mesh) {
   const std::size_t count = mesh.faces.size();
   const Index* const corners = mesh.faces.corners().data();
   for (std::size_t f = 0; f < count; ++f) t.corners.push_back({corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]});
-  t.weights.assign(mesh.weights.begin(), mesh.weights.end());
-  t.weights.resize(count, 1.0);
   t.faces.resize(count);
   std::iota(t.faces.begin(), t.faces.end(), Index{0});
+  t.weights.assign(mesh.weights.begin(), mesh.weights.end());
 }
 
-void take_usable(MeasuredTriangles& t, const Mesh& mesh, const std::vector<char>& vertices) {
+void take_usable(MeasuredTriangles& t, const Mesh& mesh) {
+  const std::vector<char> vertices = usable_vertices(mesh, t.u);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (usable_face(vertices, mesh.faces[f])) {
       add_face(t, mesh, f);
@@ -74,17 +96,16 @@ void take_usable(MeasuredTriangles& t, const Mesh& mesh, const std::vector<char>
   }
 }
 
-void take_faces(MeasuredTriangles& t, const Mesh& mesh, const Normals& u) {
+/// Of a valid mesh, whose faces have three corners at least.
+void take_faces(MeasuredTriangles& t, const Mesh& mesh, bool all_vertices_usable) {
   reserve_large(t.corners, mesh.faces.size());
-  reserve_large(t.weights, mesh.faces.size());
+  reserve_large(t.weights, mesh.weights.size());
   reserve_large(t.faces, mesh.faces.size());
-  const std::vector<char> vertices = usable_vertices(mesh, u);
-  bool triangles = std::find(vertices.begin(), vertices.end(), 0) == vertices.end();
-  for (std::size_t f = 0; triangles && f < mesh.faces.size(); ++f) triangles = mesh.faces.offset(f) == 3 * f;
-  if (triangles && mesh.faces.corners().size() == 3 * mesh.faces.size()) {
+  const bool triangles = mesh.faces.corners().size() == 3 * mesh.faces.size();
+  if (triangles && all_vertices_usable) {
     take_all(t, mesh);
   } else {
-    take_usable(t, mesh, vertices);
+    take_usable(t, mesh);
   }
 }
 
@@ -101,13 +122,11 @@ void measure_all(MeasuredTriangles& t, const Execution& run) {
     parallel_for(t.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { measure(begin, end); });
     return;
   }
-  // Grown block by block, so that what is written is still at hand: memory is passed over once.
-  for (std::size_t begin = 0; begin < t.size(); begin += kAtHand) {
+  grow_at_hand(t.size(), [&](std::size_t begin, std::size_t end) {
     check_cancelled(run);
-    const std::size_t end = std::min(begin + kAtHand, t.size());
     t.measures.resize(end);
     measure(begin, end);
-  }
+  });
 }
 
 /// The four parts of a quad get what its bilinear patch has over them, by area: whole quads then have the bilinear
@@ -116,7 +135,7 @@ void spread_bilinear(MeasuredTriangles& t, std::size_t first) {
   const Index a = t.corners[first][0], b = t.corners[first + 1][0];
   const Index c = t.corners[first + 2][0], d = t.corners[first + 3][0];
   MeasureSum rest = compact(bilinear_measures({t.x[a], t.x[b], t.x[d], t.x[c]}, {t.u[a], t.u[b], t.u[d], t.u[c]}));
-  rest *= t.weights[first];
+  rest *= t.weight(first);
   MeasureSum split;
   for (std::size_t i = first; i < first + 4; ++i) split += t.measures[i];
   const double area = split.area;
@@ -140,12 +159,7 @@ MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, Qu
     throw Error(ErrorCode::InvalidArgument, std::to_string(normals.size()) + " normals for " +
                                                 std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
   MeasuredTriangles t;
-  t.vertices = mesh.vertices.size();
-  reserve_large(t.x, mesh.vertices.size());
-  reserve_large(t.u, mesh.vertices.size());
-  t.x = mesh.vertices;
-  t.u = normals;
-  take_faces(t, mesh, normals);
+  take_faces(t, mesh, take_vertices(t, mesh, normals));
   measure_all(t, run);
   if (quads == QuadMeasures::Bilinear) {
     t.beside.resize(t.size());

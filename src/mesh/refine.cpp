@@ -64,7 +64,7 @@ MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
   const Vec3 &x0 = t.x[c[0]], &u0 = t.u[c[0]];
   const Vec3 u_bar = (u0 + t.u[c[1]] + t.u[c[2]]) / 3.0;
   MeasureSum m = triangle_density_sum(t.x[c[1]] - x0, t.x[c[2]] - x0, t.u[c[1]] - u0, t.u[c[2]] - u0, u_bar);
-  m *= t.weights[i];
+  m *= t.weight(i);
   return m;
 }
 
@@ -120,7 +120,7 @@ class Refiner {
     const auto store = [&](std::size_t i0, std::size_t j0, std::size_t i1, std::size_t j1, std::size_t i2,
                            std::size_t j2) {
       to_.corners[next] = {names[patch.place(i0, j0)], names[patch.place(i1, j1)], names[patch.place(i2, j2)]};
-      to_.weights[next] = from_.weights[t];
+      if (!to_.weights.empty()) to_.weights[next] = from_.weights[t];
       to_.faces[next] = from_.faces[t];
       to_.measures[next] = whole_measures(to_, next);
       ++next;
@@ -184,7 +184,7 @@ MeasuredTriangles refined(const MeasuredTriangles& coarse, ShapeOperators shapes
   fine.x.resize(coarse.x.size() + coarse.size() * refiner.added_points());
   fine.u.resize(fine.x.size());
   fine.corners.resize(coarse.size() * refiner.parts());
-  fine.weights.resize(fine.corners.size());
+  fine.weights.resize(coarse.weights.empty() ? 0 : fine.corners.size());
   fine.faces.resize(fine.corners.size());
   fine.measures.resize(fine.corners.size());
   parallel_for(coarse.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { refiner.split(begin, end); });

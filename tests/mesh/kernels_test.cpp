@@ -57,6 +57,7 @@ TEST(Kernels, EveryInstructionSetGivesTheSameBits) {
 TEST(Kernels, EveryInstructionSetMeasuresFacesToTheSameBits) {
   const Shape s = shapes::torus(3, 1, 31, 23);
   MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  t.weights.assign(t.size(), 1.0);
   t.weights.back() = 3;
   const kernels::TriangleView view = {
       t.size(), &t.measures[0].area, t.corners[0].data(), t.x[0].data(), t.u[0].data(), t.weights.data(), nullptr};
@@ -86,6 +87,33 @@ TEST(MeasuredTriangles, AreThoseOfEveryTriangleAlone) {
       EXPECT_NEAR(t.measures[i].mu1(), w * m.mu1, 1e-14 * w * size) << z.name << i;
       EXPECT_NEAR(t.measures[i].mu2, w * m.mu2, 1e-14 * w) << z.name << i;
     }
+  }
+}
+
+/// Meshes of plain triangles have a shorter way in than those with other faces, weights, or vertices to leave out.
+TEST(MeasuredTriangles, AreTheSameBitsWhicheverWayTheyCome) {
+  const Shape s = shapes::torus(3, 1, 61, 43);
+  const MeasuredTriangles plain = measure_triangles(s.mesh, s.normals);
+  ASSERT_TRUE(plain.weights.empty());
+  Mesh ones = s.mesh, other = s.mesh;
+  ones.weights.assign(ones.faces.size(), 1.0);
+  other.faces.add({0, 1, 2, 3});
+  Mesh dropping = s.mesh;
+  dropping.vertices.push_back(Vec3::Constant(kNaN));
+  dropping.faces.add(0, 1, static_cast<Index>(s.mesh.vertices.size()));
+  Normals one_more = s.normals;
+  one_more.emplace_back(0, 0, 1);
+  Execution three;
+  three.threads = 3;
+  const std::size_t bytes = plain.size() * sizeof(MeasureSum);
+  for (const MeasuredTriangles& t :
+       {measure_triangles(ones, s.normals), measure_triangles(other, s.normals), measure_triangles(dropping, one_more),
+        measure_triangles(s.mesh, s.normals, QuadMeasures::Split, three)}) {
+    ASSERT_GE(t.size(), plain.size());
+    EXPECT_EQ(std::memcmp(t.measures.data(), plain.measures.data(), bytes), 0);
+    EXPECT_TRUE(std::equal(plain.corners.begin(), plain.corners.end(), t.corners.begin()));
+    EXPECT_TRUE(std::equal(plain.faces.begin(), plain.faces.end(), t.faces.begin()));
+    EXPECT_EQ(t.weight(7), 1);
   }
 }
 

@@ -73,7 +73,7 @@ TEST(Refine, FlatFacesStayAndKeepTheirSums) {
     EXPECT_EQ(t.vertices, s.mesh.vertices.size());
     EXPECT_NEAR(total_area(t), 0.5, 1e-13);
     for (const Vec3& x : t.x) EXPECT_EQ(x.z(), 0);
-    for (const double w : t.weights) EXPECT_EQ(w, 0.5);
+    for (std::size_t i = 0; i < t.size(); ++i) EXPECT_EQ(t.weight(i), 0.5);
   }
 }
 

@@ -34,7 +34,7 @@ struct MeasuredTriangles {
   /// Of a polygon split at its barycentre: two neighbouring vertices and the barycentre. Where a face has several
   /// parts, each of its vertices is the first corner of one of them.
   std::vector<std::array<Index, 3>> corners;
-  std::vector<double> weights;       ///< of each triangle
+  std::vector<double> weights;       ///< of each triangle, empty for all 1
   std::vector<MeasureSum> measures;  ///< of each whole triangle, times its weight; if empty, see measures_of()
   /// What the measures have beside the integral of the density over the triangle, as those of the parts of bilinear
   /// quads do; empty if nothing.
@@ -44,6 +44,7 @@ struct MeasuredTriangles {
   std::size_t dropped_faces = 0;
 
   std::size_t size() const { return corners.size(); }
+  double weight(std::size_t triangle) const { return weights.empty() ? 1.0 : weights[triangle]; }
 };
 
 /// @throws Error InvalidData if the mesh is not valid, or InvalidArgument if normals.size() is not #V.
