@@ -2,6 +2,7 @@
 #include "edge_curve.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -40,27 +41,62 @@ void normalise(Vec3& u) {
   if (length > 0) u /= length;
 }
 
-Mat3 mean_shape(const CurvePoint& a, const CurvePoint& b, const Vec3& u) {
-  const Mat3 plane = Mat3::Identity() - u * u.transpose();
-  return 0.5 * (plane * (a.shape + b.shape) * plane);
+/// What counts at a place t of a Hermite interpolation over [0, 1]: values, first and second derivatives of both ends.
+struct Weights {
+  double value0, value1, first0, first1, second0, second1;
+};
+
+/// Those of the quintic and the cubic at t, and of their derivatives.
+struct Place {
+  double t;
+  Weights x, tangent, u, turn;
+};
+
+constexpr Place place(double t) {
+  const double s = 1 - t, ts = t * s, sq = ts * ts;
+  return {t,
+          {s * s * s * (1 + 3 * t + 6 * t * t), t * t * t * (1 + 3 * s + 6 * s * s), ts * s * s * (1 + 3 * t),
+           -ts * t * t * (1 + 3 * s), 0.5 * sq * s, 0.5 * sq * t},
+          {-30 * sq, 30 * sq, s * s * (1 + 2 * t - 15 * t * t), t * t * (1 + 2 * s - 15 * s * s),
+           0.5 * ts * s * (2 - 5 * t), -0.5 * ts * t * (2 - 5 * s)},
+          {s * s * (1 + 2 * t), t * t * (1 + 2 * s), ts * s, -ts * t, 0, 0},
+          {-6 * ts, 6 * ts, s * (1 - 3 * t), t * (1 - 3 * s), 0, 0}};
 }
 
-CurvePoint straight_midpoint(const CurvePoint& a, const CurvePoint& b) {
+constexpr Place kMiddle = place(0.5);
+
+/// In pairs, so that the ends may change places.
+Vec3 values(const Weights& w, const Vec3& at0, const Vec3& at1) {
+  return w.value0 * at0 + w.value1 * at1;
+}
+Vec3 firsts(const Weights& w, const Vec3& at0, const Vec3& at1) {
+  return w.first0 * at0 + w.first1 * at1;
+}
+Vec3 seconds(const Weights& w, const Vec3& at0, const Vec3& at1) {
+  return w.second0 * at0 + w.second1 * at1;
+}
+
+Mat3 mean_shape(const CurvePoint& a, const CurvePoint& b, double t, const Vec3& u) {
+  const Mat3 plane = Mat3::Identity() - u * u.transpose();
+  return plane * ((1 - t) * a.shape + t * b.shape) * plane;
+}
+
+CurvePoint straight_point(const CurvePoint& a, const CurvePoint& b, double t) {
   CurvePoint m;
-  m.x = 0.5 * (a.x + b.x);
-  m.u = a.u + b.u;
+  m.x = (1 - t) * a.x + t * b.x;
+  m.u = (1 - t) * a.u + t * b.u;
   normalise(m.u);
-  m.shape = mean_shape(a, b, m.u);
+  m.shape = mean_shape(a, b, t, m.u);
   return m;
 }
 
 /// PN triangles: a cubic with the tangents of the ends, and the normals' mean mirrored by the edge.
-CurvePoint cubic_midpoint(const CurvePoint& a, const CurvePoint& b, const Vec3& e) {
+CurvePoint cubic_point(const CurvePoint& a, const CurvePoint& b, double t, const Vec3& e) {
   CurvePoint m;
-  m.x = 0.5 * (a.x + b.x) - 0.125 * (e.dot(a.u) * a.u - e.dot(b.u) * b.u);
-  m.u = a.u + b.u;
-  const double length_sq = e.squaredNorm();
-  if (length_sq > 0) m.u -= (2 * e.dot(m.u) / length_sq) * e;
+  const double both = t * (1 - t), length_sq = e.squaredNorm();
+  m.x = ((1 - t) * a.x + t * b.x) - both * ((1 - t) * e.dot(a.u) * a.u - t * e.dot(b.u) * b.u);
+  m.u = (1 - t) * a.u + t * b.u;
+  if (length_sq > 0) m.u -= (4 * both * e.dot(a.u + b.u) / length_sq) * e;
   normalise(m.u);
   return m;
 }
@@ -83,23 +119,65 @@ void correct_along(Mat3& shape, const Vec3& u, const Vec3& tangent, const Vec3& 
   shape += (along.dot(turn - shape * along) / (length_sq * length_sq)) * along * along.transpose();
 }
 
+/// The curve over the edge from `a` to `b` at a place.
+CurvePoint curved_point(const CurvePoint& a, const CurvePoint& b, const Place& at) {
+  const Vec3 e = b.x - a.x;
+  if (!a.shape.allFinite() || !b.shape.allFinite()) return cubic_point(a, b, at.t, e);
+  const End from = end_of(a, e), to = end_of(b, e);
+  if (!from.sound || !to.sound) return straight_point(a, b, at.t);
+  CurvePoint m;
+  m.x = values(at.x, a.x, b.x) + firsts(at.x, from.tangent, to.tangent) + seconds(at.x, from.bend, to.bend);
+  const Vec3 tangent =
+      at.tangent.value1 * e + firsts(at.tangent, from.tangent, to.tangent) + seconds(at.tangent, from.bend, to.bend);
+  const Vec3 bulge = firsts(at.u, from.turn, to.turn);
+  m.u = values(at.u, a.u, b.u) + bulge;
+  normalise(m.u);
+  make_orthogonal(m.u, tangent, bulge.norm());
+  m.shape = mean_shape(a, b, at.t, m.u);
+  correct_along(m.shape, m.u, tangent, at.turn.value1 * (b.u - a.u) + firsts(at.turn, from.turn, to.turn));
+  return m;
+}
+
+/// Middles may lie as near to each other as they are off: how the normal turns from one to the other tells no
+/// curvature.
+CurvePoint middle_of_middles(const CurvePoint& a, const CurvePoint& b) {
+  CurvePoint m = curved_point(a, b, kMiddle);
+  m.shape = mean_shape(a, b, kMiddle.t, m.u);
+  return m;
+}
+
+/// Of an odd number, the mean of the points that lie a share of the way from the middle of the others to a corner.
+CurvePoint odd_centre(const std::vector<CurvePoint>& corners) {
+  const std::size_t count = corners.size();
+  const Place at = place(1 / static_cast<double>(count));
+  CurvePoint mean = {Vec3::Zero(), Vec3::Zero(), Mat3::Zero()};
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<CurvePoint> others;
+    for (std::size_t j = 1; j < count; ++j) others.push_back(corners[(i + j) % count]);
+    const CurvePoint m = curved_point(curved_centre(std::move(others)), corners[i], at);
+    mean.x += m.x / static_cast<double>(count);
+    mean.u += m.u;
+    mean.shape += m.shape / static_cast<double>(count);
+  }
+  normalise(mean.u);
+  const Mat3 plane = Mat3::Identity() - mean.u * mean.u.transpose();
+  mean.shape = plane * mean.shape * plane;
+  return mean;
+}
+
 }  // namespace
 
 CurvePoint curved_midpoint(const CurvePoint& a, const CurvePoint& b) {
-  const Vec3 e = b.x - a.x;
-  if (!a.shape.allFinite() || !b.shape.allFinite()) return cubic_midpoint(a, b, e);
-  const End from = end_of(a, e), to = end_of(b, e);
-  if (!from.sound || !to.sound) return straight_midpoint(a, b);
-  CurvePoint m;
-  m.x = 0.5 * (a.x + b.x) + 5.0 / 32 * (from.tangent - to.tangent) + (from.bend + to.bend) / 64;
-  const Vec3 tangent = 15.0 / 8 * e - 7.0 / 16 * (from.tangent + to.tangent) + (to.bend - from.bend) / 32;
-  const Vec3 bulge = (from.turn - to.turn) / 8;
-  m.u = 0.5 * (a.u + b.u) + bulge;
-  normalise(m.u);
-  make_orthogonal(m.u, tangent, bulge.norm());
-  m.shape = mean_shape(a, b, m.u);
-  correct_along(m.shape, m.u, tangent, 1.5 * (b.u - a.u) - 0.25 * (from.turn + to.turn));
-  return m;
+  return curved_point(a, b, kMiddle);
+}
+
+CurvePoint curved_centre(std::vector<CurvePoint> corners) {
+  for (auto* join = curved_midpoint; corners.size() % 2 == 0; join = middle_of_middles) {
+    const std::size_t half = corners.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) corners[i] = join(corners[i], corners[half + i]);
+    corners.resize(half);
+  }
+  return corners.size() == 1 ? corners.front() : odd_centre(corners);
 }
 
 }  // namespace kappa

@@ -68,6 +68,10 @@ MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
   return m;
 }
 
+CurvePoint corner_of(const MeasuredTriangles& t, const ShapeOperators& shapes, Index v) {
+  return {t.x[v], t.u[v].normalized(), shapes[v]};
+}
+
 /// Splits the triangles of `from` into slots of `to`, each triangle its own.
 class Refiner {
  public:
@@ -85,15 +89,14 @@ class Refiner {
     std::vector<Index> names(patch.points().size());
     for (std::size_t t = begin; t < end; ++t) {
       const auto& c = from_.corners[t];
-      patch.fill(vertex(c[0]), vertex(c[1]), vertex(c[2]));
+      const auto corner = [&](Index v) { return corner_of(from_, shapes_, v); };
+      patch.fill(corner(c[0]), corner(c[1]), corner(c[2]));
       store_points(patch, t, names);
       store_parts(patch, t, names);
     }
   }
 
  private:
-  CurvePoint vertex(Index v) const { return {from_.x[v], from_.u[v].normalized(), shapes_[v]}; }
-
   void store_points(const Patch& patch, std::size_t t, std::vector<Index>& names) {
     std::size_t next = from_.x.size() + t * added_points_;
     const std::array<std::size_t, 3> corner = {patch.place(0, 0), patch.place(patch.side(), 0),
@@ -157,24 +160,25 @@ void check_levels(int levels, std::size_t triangles) {
                                                 " triangles, more than 2^31 - 1: give less");
 }
 
-/// Adds the mean over its face to every barycentre.
-void add_barycentres(const MeasuredTriangles& t, ShapeOperators& shapes) {
-  shapes.resize(t.x.size(), Mat3::Zero());
-  std::vector<int> corners(t.x.size());
-  for (const auto& c : t.corners) {
-    if (c[2] < t.vertices) continue;
-    shapes[c[2]] += shapes[c[0]];
-    ++corners[c[2]];
-  }
-  for (std::size_t i = t.vertices; i < t.x.size(); ++i) {
-    const Vec3 u = t.u[i].normalized();
-    const Mat3 plane = Mat3::Identity() - u * u.transpose();
-    shapes[i] = plane * shapes[i] * plane / corners[i];
+/// Moves the barycentres of polygons to the surface, with the normals and shape operators there.
+void lift_barycentres(MeasuredTriangles& t, ShapeOperators& shapes) {
+  shapes.resize(t.x.size());
+  std::vector<CurvePoint> corners;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const Index centre = t.corners[i][2];
+    if (centre < t.vertices) continue;
+    corners.push_back(corner_of(t, shapes, t.corners[i][0]));
+    if (i + 1 < t.size() && t.corners[i + 1][2] == centre) continue;
+    const CurvePoint lifted = curved_centre(std::move(corners));
+    t.x[centre] = lifted.x;
+    t.u[centre] = lifted.u;
+    shapes[centre] = lifted.shape;
+    corners.clear();
   }
 }
 
-MeasuredTriangles refined(const MeasuredTriangles& coarse, ShapeOperators shapes, int levels, const Execution& run) {
-  add_barycentres(coarse, shapes);
+MeasuredTriangles refined(MeasuredTriangles coarse, ShapeOperators shapes, int levels, const Execution& run) {
+  lift_barycentres(coarse, shapes);
   MeasuredTriangles fine;
   Refiner refiner(coarse, shapes, levels, fine);
   fine.vertices = coarse.vertices;
@@ -213,11 +217,11 @@ ShapeOperators measured_shapes(MeasuredTriangles triangles, const Normals& norma
 }  // namespace
 
 ShapeOperators estimate_shape_operators(const Mesh& mesh, const Normals& normals, const Execution& run) {
-  const MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.1));
+  MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.1));
   const double radius = kShapeRadius * median_edge_length(mesh);
   if (!(radius > 0)) return ShapeOperators(normals.size(), Mat3::Constant(kNaN));
   ShapeOperators shapes = measured_shapes(coarse, normals, radius, stage(run, 0.1, 0.3));
-  return measured_shapes(refined(coarse, std::move(shapes), 1, stage(run, 0.3, 0.5)), normals, radius,
+  return measured_shapes(refined(std::move(coarse), std::move(shapes), 1, stage(run, 0.3, 0.5)), normals, radius,
                          stage(run, 0.5, 1));
 }
 
@@ -228,7 +232,7 @@ MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, cons
     throw Error(ErrorCode::InvalidArgument, std::to_string(shapes.size()) + " shape operators for " +
                                                 std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
   MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.2));
-  return levels == 0 ? coarse : refined(coarse, shapes, levels, stage(run, 0.2, 1));
+  return levels == 0 ? coarse : refined(std::move(coarse), shapes, levels, stage(run, 0.2, 1));
 }
 
 MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, int levels, const Execution& run) {

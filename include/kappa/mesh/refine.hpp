@@ -19,8 +19,9 @@ using ShapeOperators = std::vector<Mat3>;
 ShapeOperators estimate_shape_operators(const Mesh& mesh, const Normals& normals, const Execution& run = {});
 
 /// The triangles of `mesh` as `measure_triangles` gives them, each split in 4^levels on a curved patch through its
-/// corners; parts keep the weight of their face. A polygon of four corners or more is split at its barycentre first,
-/// which lies on the polygon, not on the surface: it gains less.
+/// corners; parts keep the weight of their face. A polygon of four corners or more is first split where the
+/// curves below between its corners have their middle: of four, in the middle of the curve between those of the
+/// diagonals, hence as near to the surface as the points of edges are.
 ///
 /// Every level puts a vertex in the middle of every edge e = xj - xi, on the quintic that has the positions and the
 /// first and second derivatives of both ends (Hermite), which along the edge are
