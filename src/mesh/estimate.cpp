@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "border_correction.hpp"
 #include "curvature_sample.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/measure_tree.hpp"
@@ -96,6 +97,37 @@ void add_limits(const MeasuredTriangles& triangles, std::vector<BallMeasures>& s
   }
 }
 
+/// Curvatures of balls; `border`, if any, is told of each.
+std::vector<CurvatureField> measure_balls(const BallSum& balls, const std::vector<Vec3>& centres, const Normals& u,
+                                          const CurvatureOptions& options, const Execution& run,
+                                          BorderCorrection* border) {
+  std::vector<CurvatureField> fields;
+  for (const double radius : options.radii)
+    fields.push_back({radius, std::vector<CurvatureSample>(centres.size()), options.order});
+  const BallPlan plan(options.radii, options.order);
+  balls.sum(centres, plan.radii, options.ball, run, [&](std::size_t q, const BallMeasures* measures) {
+    if (!usable(centres[q], u[q])) return;
+    for (std::size_t r = 0; r < fields.size(); ++r) {
+      std::array<const BallMeasures*, kMaxOrder> of_radius{};
+      for (std::size_t b = 0; b < of_radius.size(); ++b) of_radius[b] = measures + plan.balls[r][b];
+      fields[r].samples[q] = make_sample(of_radius.data(), options.order, options.radii[r], u[q]);
+      if (border) border->record(r, q, of_radius.data());
+    }
+  });
+  return fields;
+}
+
+std::vector<CurvatureField> measure_at_vertices(const BallSum& balls, const std::vector<Vec3>& vertices,
+                                                const Normals& u, const CurvatureOptions& options,
+                                                const Execution& run) {
+  if (options.border == BorderEstimate::InBall) return measure_balls(balls, vertices, u, options, run, nullptr);
+  BorderCorrection border(balls.triangles(), vertices, u, options.radii, options.order, stage(run, 0.0, 0.02));
+  if (!border.is_needed()) return measure_balls(balls, vertices, u, options, stage(run, 0.02, 1.0), nullptr);
+  std::vector<CurvatureField> fields = measure_balls(balls, vertices, u, options, stage(run, 0.02, 0.95), &border);
+  border.apply(fields, stage(run, 0.95, 1.0));
+  return fields;
+}
+
 FieldSummary::Percentiles percentiles(std::vector<double>& values) {
   return {percentile(values, 1), percentile(values, 50), percentile(values, 99)};
 }
@@ -128,19 +160,7 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std:
   if (options.scale != ScaleChoice::Given)
     throw Error(ErrorCode::InvalidArgument,
                 "scale = per point: it is chosen for the vertices of a mesh, not for centres");
-  std::vector<CurvatureField> fields;
-  for (const double radius : options.radii)
-    fields.push_back({radius, std::vector<CurvatureSample>(centres.size()), options.order});
-  const BallPlan plan(options.radii, options.order);
-  balls.sum(centres, plan.radii, options.ball, run, [&](std::size_t q, const BallMeasures* measures) {
-    if (!usable(centres[q], u[q])) return;
-    for (std::size_t r = 0; r < fields.size(); ++r) {
-      std::array<const BallMeasures*, kMaxOrder> of_radius{};
-      for (std::size_t b = 0; b < of_radius.size(); ++b) of_radius[b] = measures + plan.balls[r][b];
-      fields[r].samples[q] = make_sample(of_radius.data(), options.order, options.radii[r], u[q]);
-    }
-  });
-  return fields;
+  return measure_balls(balls, centres, u, options, run, nullptr);
 }
 
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
@@ -165,8 +185,8 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Norm
   if (!radii.empty()) {
     const auto end = triangles.x.begin() + static_cast<std::ptrdiff_t>(triangles.vertices);
     of_balls = end == triangles.x.end()
-                   ? estimate_curvatures(balls, triangles.x, u, positive, run)
-                   : estimate_curvatures(balls, std::vector<Vec3>(triangles.x.begin(), end), u, positive, run);
+                   ? measure_at_vertices(balls, triangles.x, u, positive, run)
+                   : measure_at_vertices(balls, std::vector<Vec3>(triangles.x.begin(), end), u, positive, run);
   }
   std::vector<CurvatureField> fields;
   auto next = of_balls.begin();

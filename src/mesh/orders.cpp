@@ -10,12 +10,10 @@
 namespace kappa {
 namespace {
 
-using Weights = std::array<double, kMaxOrder>;
-
 /// Lagrange weights at 0 of the nodes rho^2 = 1, 1/2, 1/4.
-constexpr std::array<Weights, kMaxOrder> kWeights = {{{1, 0, 0}, {-1, 2, 0}, {1.0 / 3, -2, 8.0 / 3}}};
+constexpr std::array<OrderWeights, kMaxOrder> kWeights = {{{1, 0, 0}, {-1, 2, 0}, {1.0 / 3, -2, 8.0 / 3}}};
 
-CurvatureRatios combine(const CurvatureRatios* balls, int order, const Weights& weights) {
+CurvatureRatios combine(const CurvatureRatios* balls, int order, const OrderWeights& weights) {
   CurvatureRatios sum;
   sum.mean = sum.gaussian = 0;
   sum.form = {0, 0, 0};
@@ -46,6 +44,11 @@ std::vector<double> order_radii(double radius, int order) {
   std::vector<double> radii = {radius, radius * std::sqrt(0.5), radius / 2};
   radii.resize(static_cast<std::size_t>(order));
   return radii;
+}
+
+const OrderWeights& order_weights(int order) {
+  check_order(order);
+  return kWeights[static_cast<std::size_t>(order - 1)];
 }
 
 OrderedRatios extrapolate(const CurvatureRatios* balls, int order) {

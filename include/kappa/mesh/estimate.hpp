@@ -45,6 +45,20 @@ enum class ScaleChoice {
   PerPoint  ///< the data, for every point on its own: one field; radii and order are not used
 };
 
+/// What the curvatures of a point are, whose ball reaches over a border of the surface.
+enum class BorderEstimate {
+  /// Those of the part in the ball: they belong to its centroid, beside the centre, with an error that is linear in the
+  /// radius.
+  InBall,
+  /// Those at the centre: the gradient of the curvature times the way from the centre to the centroid is taken off. The
+  /// gradient is fitted to the estimates of the vertices around, within 1.5 radii of the smallest ball, up to 3 where
+  /// there are fewer than 12. As much is taken off as stands out of the error of the fit; with fewer than 6 points, or
+  /// across a single row of them, nothing is. Measures, area and coverage stay those of the ball, so that the mean is
+  /// no longer mu1 / (2 mu0) there. Where no border is within the ball nothing changes, to the bit. At orders 2 and 3
+  /// `std_error` has the error of what was taken off in it.
+  AtCentre
+};
+
 struct CurvatureOptions {
   ScaleChoice scale = ScaleChoice::Given;
   /// Radii of the measuring balls, in units of the data; 0 is the vertex limit (meshes only).
@@ -57,6 +71,9 @@ struct CurvatureOptions {
   /// Times every face is split in four on a curved patch before it is measured, see `measure_refined`; for calls that
   /// take a mesh.
   int refine = 0;
+  /// For balls at the vertices of the surface; at other centres, at radius 0 and at scales chosen per point the
+  /// curvatures are those in the ball.
+  BorderEstimate border = BorderEstimate::AtCentre;
 };
 
 /// @throws Error InvalidArgument if faces are to be refined and quads bilinear; and unless each point has its own

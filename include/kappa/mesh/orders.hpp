@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "kappa/core/curvatures.hpp"
@@ -17,6 +18,11 @@ void check_order(int order);
 /// 2, as many as the order.
 /// @throws Error InvalidArgument unless order is 1, 2 or 3.
 std::vector<double> order_radii(double radius, int order);
+
+/// Weights of the balls of `order_radii` in an estimate of this order, 0 past the order; their sum is 1.
+/// @throws Error InvalidArgument unless order is 1, 2 or 3.
+using OrderWeights = std::array<double, kMaxOrder>;
+const OrderWeights& order_weights(int order);
 
 /// An estimate with the spread between its order and the one below.
 struct OrderedRatios {
