@@ -59,9 +59,8 @@ std::vector<Side> sides_at_border(const MeasuredTriangles& t) {
   const std::vector<char> at_border = border_vertices(t);
   std::vector<Side> sides;
   for (std::size_t i = 0; i < t.size(); ++i) add_sides(t, i, at_border, sides);
-  std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.low != b.low ? a.low < b.low : a.high < b.high;
-  });
+  std::stable_sort(sides.begin(), sides.end(),
+                   [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   return sides;
 }
 

@@ -8,6 +8,7 @@
 
 #include "curvature_sample.hpp"
 #include "kappa/mesh/orders.hpp"
+#include "kappa/mesh/statistics.hpp"
 
 namespace kappa {
 namespace {
@@ -17,6 +18,10 @@ constexpr std::size_t kBlock = 1024;
 /// that where they are fewer than `kWanted`; fewer than `kLeast` give none.
 constexpr double kWindow = 1.5, kWiden = 2;
 constexpr std::size_t kWanted = 12, kLeast = 6;
+/// Estimates around a point are alike: from more than so many points in a window on, every second point would do.
+constexpr std::size_t kMany = 64;
+/// Square of the error of a fit over what independent residuals would make it: balls that overlap share their noise.
+constexpr double kShared = 2;
 /// Cosine between the normals of points on one sheet.
 constexpr double kSameSheet = 0.5;
 /// Least spread of the points across their row, over that along it, squared.
@@ -89,7 +94,7 @@ struct BorderCorrection::Fit {
   }
 
   Values change(const Vec2& step) const { return gradient.transpose() * step; }
-  double error_sq(const Vec2& step) const { return residual_sq * step.dot(inverse_spread * step); }
+  double error_sq(const Vec2& step) const { return kShared * residual_sq * step.dot(inverse_spread * step); }
 };
 
 BorderCorrection::Tangent::Tangent(const Vec3& normal) : u(normal / normal.norm()) {
@@ -107,7 +112,7 @@ BorderCorrection::Values BorderCorrection::values_at(const CurvatureRatios& rati
 
 BorderCorrection::BorderCorrection(const MeasuredTriangles& triangles, const std::vector<Vec3>& centres,
                                    const Normals& u, const std::vector<double>& radii, int order, const Execution& run)
-    : centres_(centres), u_(u), order_(order), border_(triangles), points_({}) {
+    : centres_(centres), u_(u), order_(order), border_(triangles) {
   if (!border_.exists()) return;
   for (const double radius : radii) radii_.push_back(order_radii(radius, order));
   const std::vector<double>& largest = *std::max_element(radii_.begin(), radii_.end());
@@ -130,7 +135,29 @@ void BorderCorrection::find_near(double reach, const Execution& run) {
     tangents_.emplace_back(u_[i]);
     boxes.push_back({centres_[i], centres_[i]});
   }
-  points_ = BoxTree(boxes);
+  const BoxTree all(boxes);
+  for (const std::vector<double>& balls : radii_) nodes_.push_back(nodes_for(kWindow * balls.back(), all));
+}
+
+BorderCorrection::Nodes BorderCorrection::nodes_for(double window, const BoxTree& all) const {
+  constexpr std::size_t kProbes = 100;
+  std::vector<double> counts;
+  for (std::size_t i = 0; i < near_.size(); i += 1 + near_.size() / kProbes) {
+    counts.push_back(0);
+    all.find(centres_[near_[i]], window, [&](Index) { return ++counts.back() < 0; });
+  }
+  const std::size_t apart = std::max(std::size_t{1}, static_cast<std::size_t>(percentile(counts, 50)) / kMany);
+  std::vector<Vec3> x;
+  for (const Index i : near_) x.push_back(centres_[i]);
+  const std::vector<Index> order = spatial_order(x);
+  Nodes nodes;
+  std::vector<Bounds> boxes;
+  for (std::size_t i = 0; i < order.size(); i += apart) {
+    nodes.places.push_back(order[i]);
+    boxes.push_back({x[order[i]], x[order[i]]});
+  }
+  nodes.tree = BoxTree(boxes);
+  return nodes;
 }
 
 void BorderCorrection::record(std::size_t r, std::size_t q, const BallMeasures* const* balls) {
@@ -156,7 +183,8 @@ BorderCorrection::Fit BorderCorrection::fit_within(std::size_t r, std::size_t pl
   const Tangent& here = tangents_[place];
   const Values own = values_at(estimates_[r][place].ratios, here, here);
   Sums sums;
-  points_.find(centre, window, [&](Index other) {
+  nodes_[r].tree.find(centre, window, [&](Index node) {
+    const Index other = nodes_[r].places[node];
     const Estimate& e = estimates_[r][other];
     const Tangent& there = tangents_[other];
     if (e.ratios.status != PointStatus::Valid || here.u.dot(there.u) < kSameSheet) return false;

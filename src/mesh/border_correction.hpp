@@ -16,7 +16,8 @@ namespace kappa {
 /// linear combination of balls, so that its estimate belongs to the same combination c of their centroids. Around a
 /// point the estimates of the points near it, each taken at its own x + c, are fitted by a linear function; the value
 /// at the point is moved by the gradient times -c. What is moved by is noise in part: it counts by its square over
-/// itself and the square of the error that the residual of the fit gives it.
+/// itself and the square of the error that the residual of the fit gives it. Where windows hold more points than that
+/// needs, it is made to some of them.
 class BorderCorrection {
  public:
   /// `centres`, with normals `u`, are those that are measured, at `radii` (the largest of each order); both are kept by
@@ -57,7 +58,13 @@ class BorderCorrection {
   using Values = Eigen::Matrix<double, 5, 1>;  ///< mean, gaussian, form 11, 12, 22
 
   static Values values_at(const CurvatureRatios& ratios, const Tangent& there, const Tangent& here);
+  /// Some of `near_`, evenly spread, to which gradients are fitted.
+  struct Nodes {
+    std::vector<Index> places;
+    BoxTree tree{{}};
+  };
   void find_near(double reach, const Execution& run);
+  Nodes nodes_for(double window, const BoxTree& all) const;
   Fit fit(std::size_t r, std::size_t place) const;
   Fit fit_within(std::size_t r, std::size_t place, double window) const;
   void correct(std::size_t r, std::size_t place, CurvatureSample& sample) const;
@@ -70,7 +77,7 @@ class BorderCorrection {
   std::vector<Index> near_;   ///< centres within reach of a border
   std::vector<Index> place_;  ///< of each centre in `near_`
   std::vector<Tangent> tangents_;
-  BoxTree points_;            ///< of `near_`
+  std::vector<Nodes> nodes_;                      ///< of each radius
   std::vector<std::vector<Estimate>> estimates_;  ///< of each radius at `near_`
 };
 
