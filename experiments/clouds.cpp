@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the tables of docs/surfaces.md as Markdown: clouds_experiment [clean | cells | noise | rotations]...
+// Prints the tables of docs/surfaces.md as Markdown: clouds_experiment [clean | cells | noise | rotations | border]...
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -245,12 +245,54 @@ void rotation_table() {
   }
 }
 
+/// One line: errors in the ball and at the centre, of all points and of those whose ball meets the border.
+void print_border_row(const Oriented& cloud, double noise, double radius, int order) {
+  const Mesh mesh = umbrella_surface(Vec3::Zero(), cloud.known.scan.points, cloud.u, {}).mesh;
+  CurvatureOptions options = at(radius, order);
+  const CurvatureField at_centre = estimate_curvatures(mesh, cloud.u, options)[0];
+  options.border = BorderEstimate::InBall;
+  const CurvatureField in_ball = estimate_curvatures(mesh, cloud.u, options)[0];
+  std::vector<TrueCurvature> at_border = cloud.known.truth;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < at_border.size(); ++i) {
+    const bool changed = at_centre.samples[i].k.mean != in_ball.samples[i].k.mean;
+    count += changed;
+    if (!changed) at_border[i].mean = kNaN;
+  }
+  std::printf("| %s, noise %g %%, radius %g, order %d |", cloud.known.name.c_str(), noise, radius, order);
+  for (const bool border : {false, true}) {
+    if (border) std::printf(" %zu |", count);
+    for (const CurvatureField* field : {&in_ball, &at_centre}) {
+      const Errors e = errors(*field, border ? at_border : cloud.known.truth);
+      std::printf(" %.1e %.1e %.1e |", e.mean, e.k_min, e.k_max);
+    }
+  }
+  std::printf("\n");
+}
+
+void border_table() {
+  std::printf("\n## Balls over a border: curvatures in the ball and at its centre (rms of mean, k_min, k_max)\n\n");
+  std::printf("| cloud | all: in the ball | at the centre | at the border | in the ball | at the centre |\n");
+  std::printf("|---|---|---|---|---|---|\n");
+  for (const double noise : {0.0, 0.5}) {
+    for (const Case& c : cases()) {
+      const KnownScan whole = published_scan(c.name), open = c.name == "torus-lidar" ? whole : cut(whole);
+      const Oriented cloud = with_exact_normals(noise > 0 ? with_noise(open, noise) : open);
+      for (const auto& [at_radius, order] : {std::pair(1, 1), {2, 1}, {2, 2}, {4, 2}, {4, 3}})
+        print_border_row(cloud, noise, c.radii.front() * at_radius, order);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kappa::experiments
 
 int main(int argc, char** argv) {
   using namespace kappa::experiments;
-  return print_tables(
-      argc, argv,
-      {{"clean", clean_tables}, {"rotations", rotation_table}, {"cells", cell_tables}, {"noise", noise_tables}});
+  return print_tables(argc, argv,
+                      {{"clean", clean_tables},
+                       {"rotations", rotation_table},
+                       {"cells", cell_tables},
+                       {"noise", noise_tables},
+                       {"border", border_table}});
 }

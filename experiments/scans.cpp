@@ -92,6 +92,20 @@ KnownScan with_noise(const KnownScan& known, double per_cent) {
   return noisy;
 }
 
+KnownScan cut(const KnownScan& known) {
+  KnownScan part;
+  part.name = known.name + " cut";
+  for (std::size_t i = 0; i < known.truth.size(); ++i) {
+    const Vec3& x = known.scan.points[i];
+    if (!(x.x() + 0.3 * x.y() > 0.7 && x.z() < 1.1)) continue;
+    part.scan.points.push_back(x);
+    part.scan.normals.push_back(known.scan.normals[i]);
+    part.truth.push_back(known.truth[i]);
+  }
+  part.scan.width = part.scan.points.size();
+  return part;
+}
+
 KnownScan organised_torus(const KnownScan& torus_lidar) {
   constexpr double kHeight = 30;
   const auto& points = torus_lidar.scan.points;

@@ -25,6 +25,9 @@ KnownScan published_scan(const std::string& name);
 /// box around the points. Normals and truth stay those of the points before. Deterministic.
 KnownScan with_noise(const KnownScan& known, double per_cent);
 
+/// The points of a cloud on one side of two planes, so that it gets a border: x + 0.3 y > 0.7 and z < 1.1.
+KnownScan cut(const KnownScan& known);
+
 /// The points of torus-lidar back in the grid of 80 columns and 40 rows that they were taken in, by a camera at
 /// (0, 0, 30): columns of equal x / (30 - z), rows of equal y / (30 - z).
 KnownScan organised_torus(const KnownScan& torus_lidar);

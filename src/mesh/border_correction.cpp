@@ -76,13 +76,12 @@ struct Sums {
 }  // namespace
 
 struct BorderCorrection::Fit {
-  std::size_t points = 0;
   Gradient gradient = Gradient::Zero();
   Mat2 inverse_spread = Mat2::Zero();
   double residual_sq = 0;
 
   Fit() = default;
-  explicit Fit(const Sums& sums) : points(sums.count) {
+  explicit Fit(const Sums& sums) {
     const Vec2 middle = sums.p / sums.weight;
     const Values mean = sums.v / sums.weight;
     inverse_spread = inverse_along(sums.pp / sums.weight - middle * middle.transpose());
@@ -178,8 +177,21 @@ void BorderCorrection::record(std::size_t r, std::size_t q, const BallMeasures* 
   e.centroid_difference = e.centroid - below;
 }
 
-BorderCorrection::Fit BorderCorrection::fit_within(std::size_t r, std::size_t place, double window) const {
+double BorderCorrection::window_around(std::size_t r, std::size_t place) const {
+  const double least = kWindow * radii_[r].back();
+  std::size_t within = 0, within_next = 0;
+  nodes_[r].tree.find(centres_[near_[place]], std::sqrt(kWiden) * least, [&](Index node) {
+    const Index other = near_[nodes_[r].places[node]];
+    within += (centres_[other] - centres_[near_[place]]).squaredNorm() < least * least;
+    return ++within_next >= kWanted && within >= kWanted;
+  });
+  if (within >= kWanted) return least;
+  return (within_next >= kWanted ? std::sqrt(kWiden) : kWiden) * least;
+}
+
+BorderCorrection::Fit BorderCorrection::fit(std::size_t r, std::size_t place) const {
   const Vec3& centre = centres_[near_[place]];
+  const double window = window_around(r, place);
   const Tangent& here = tangents_[place];
   const Values own = values_at(estimates_[r][place].ratios, here, here);
   Sums sums;
@@ -194,13 +206,6 @@ BorderCorrection::Fit BorderCorrection::fit_within(std::size_t r, std::size_t pl
     return false;
   });
   return sums.count < kLeast ? Fit() : Fit(sums);
-}
-
-BorderCorrection::Fit BorderCorrection::fit(std::size_t r, std::size_t place) const {
-  const double window = kWindow * radii_[r].back();
-  Fit found = fit_within(r, place, window);
-  if (found.points < kWanted) found = fit_within(r, place, std::sqrt(kWiden) * window);
-  return found.points < kWanted ? fit_within(r, place, kWiden * window) : found;
 }
 
 void BorderCorrection::correct(std::size_t r, std::size_t place, CurvatureSample& sample) const {

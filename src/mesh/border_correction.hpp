@@ -66,7 +66,7 @@ class BorderCorrection {
   void find_near(double reach, const Execution& run);
   Nodes nodes_for(double window, const BoxTree& all) const;
   Fit fit(std::size_t r, std::size_t place) const;
-  Fit fit_within(std::size_t r, std::size_t place, double window) const;
+  double window_around(std::size_t r, std::size_t place) const;
   void correct(std::size_t r, std::size_t place, CurvatureSample& sample) const;
 
   const std::vector<Vec3>& centres_;
