@@ -45,8 +45,7 @@ Shape cut_torus(int n) {
   return part_of(shapes::torus(3, 1, n, n), [](const Vec3& x) { return x.x() + 0.3 * x.y() > 0.7 && x.z() < 0.55; });
 }
 
-CurvatureField estimate(const Shape& s, double radius, int order, BorderEstimate border,
-                        const Execution& run = {}) {
+CurvatureField estimate(const Shape& s, double radius, int order, BorderEstimate border, const Execution& run = {}) {
   CurvatureOptions options;
   options.radii = {radius};
   options.order = order;
@@ -267,7 +266,8 @@ TEST(BorderEstimate, TooFewPointsTellNothing) {
   Mesh triangle;
   triangle.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.faces.add(0, 1, 2);
-  const Shape s{triangle, {Vec3(-0.1, -0.1, 1).normalized(), Vec3(0.2, 0, 1).normalized(), Vec3::UnitZ()}, {}, {}, {}, {}};
+  const Shape s{triangle, {Vec3(-0.1, -0.1, 1).normalized(), Vec3(0.2, 0, 1).normalized(), Vec3::UnitZ()}, {}, {}, {},
+                {}};
   const CurvatureField a = estimate(s, 0.7, 1, BorderEstimate::InBall);
   const CurvatureField b = estimate(s, 0.7, 1, BorderEstimate::AtCentre);
   for (std::size_t i = 0; i < 3; ++i) {
