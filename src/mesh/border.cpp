@@ -84,9 +84,18 @@ std::vector<Bounds> boxes_of(const std::vector<BorderEdge>& edges) {
   return boxes;
 }
 
+/// The patches of refined faces have points along common edges of their own, so that each looks like an island. Of the
+/// parts of a polygon one corner alone is none of the mesh.
+bool is_refined(const MeasuredTriangles& t) {
+  return std::any_of(t.corners.begin(), t.corners.end(), [&](const std::array<Index, 3>& c) {
+    return std::count_if(c.begin(), c.end(), [&](Index i) { return i >= t.vertices; }) > 1;
+  });
+}
+
 }  // namespace
 
 std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles) {
+  if (is_refined(triangles)) return {};
   const std::vector<Side> sides = sides_at_border(triangles);
   const auto heaviest = std::max_element(triangles.weights.begin(), triangles.weights.end());
   std::vector<BorderEdge> edges;

@@ -16,7 +16,7 @@ struct BorderEdge {
 
 /// The edges of a surface, of whatever weights and topology, at which it ends. Edges in between, where the weights of
 /// the faces on both sides balance, are none; nor are the small imbalances that the faces of a cloud have, whose stars
-/// disagree.
+/// disagree. Surfaces of refined faces tell none.
 std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles);
 
 /// Tells where the part of a surface in a ball lies.

@@ -12,6 +12,7 @@
 #include "kappa/core/curvatures.hpp"
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/measure_tree.hpp"
+#include "kappa/mesh/refine.hpp"
 #include "support/shapes.hpp"
 
 namespace kappa {
@@ -114,6 +115,16 @@ TEST(Border, IsWhereFacesEnd) {
   EXPECT_EQ(edges(tube.mesh, tube.normals), 32u);
   const Mesh band = shapes::moebius(20);
   EXPECT_EQ(edges(band, Normals(band.vertices.size(), Vec3::UnitZ())), 40u);
+}
+
+TEST(Border, OfRefinedFacesIsNotTold) {
+  const Shape square = shapes::square(5);
+  EXPECT_TRUE(border_edges(measure_refined(square.mesh, square.normals, 2)).empty());
+  Mesh quads;
+  quads.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
+  quads.faces.add({0, 1, 4, 3});
+  quads.faces.add({1, 2, 5, 4});
+  EXPECT_EQ(border_edges(measure_triangles(quads, Normals(6, Vec3::UnitZ()))).size(), 6u) << "parts of polygons are";
 }
 
 /// Chord at distance d from the centre of a disc of radius r: what is left when the part beyond it is cut off.

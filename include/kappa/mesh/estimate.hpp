@@ -71,8 +71,8 @@ struct CurvatureOptions {
   /// Times every face is split in four on a curved patch before it is measured, see `measure_refined`; for calls that
   /// take a mesh.
   int refine = 0;
-  /// For balls at the vertices of the surface; at other centres, at radius 0 and at scales chosen per point the
-  /// curvatures are those in the ball.
+  /// For balls at the vertices of a surface that is not refined; at other centres, at radius 0 and at scales chosen per
+  /// point the curvatures are those in the ball.
   BorderEstimate border = BorderEstimate::AtCentre;
 };
 
