@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "kappa/mesh/gather.hpp"
+
 namespace kappa::app {
 namespace {
-
-template <class T>
-std::vector<T> gathered(const std::vector<T>& values, const std::vector<Index>& from) {
-  std::vector<T> result;
-  result.reserve(values.empty() ? 0 : from.size());
-  for (std::size_t i = 0; i < from.size() && !values.empty(); ++i) result.push_back(values[from[i]]);
-  return result;
-}
 
 /// Moves values[i] to values[to[i]] along the cycles of the permutation, without a copy of them all.
 template <class T>

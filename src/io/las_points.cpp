@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kappa/core/error.hpp"
+#include "kappa/mesh/gather.hpp"
 #include "las_bytes.hpp"
 
 namespace kappa {
@@ -66,14 +67,6 @@ LasGrid local_grid(const LasFile& las) {
 
 namespace {
 
-template <class T>
-std::vector<T> picked(const std::vector<T>& values, const std::vector<Index>& kept) {
-  std::vector<T> chosen;
-  chosen.reserve(kept.size());
-  for (const Index i : kept) chosen.push_back(values[i]);
-  return chosen;
-}
-
 std::shared_ptr<const LasFile> picked(const LasFile& las, const std::vector<Index>& kept) {
   auto chosen = std::make_shared<LasFile>();
   chosen->header = las.header;
@@ -111,9 +104,9 @@ void keep_points(Scan& scan, const std::vector<Index>& kept) {
   io::check_records(scan);
   check_kept(scan, kept);
   if (scan.las) scan.las = picked(*scan.las, kept);
-  if (!scan.normals.empty()) scan.normals = picked(scan.normals, kept);
-  for (Field& field : scan.fields) field.values = picked(field.values, kept);
-  scan.points = picked(scan.points, kept);
+  scan.normals = gathered(scan.normals, kept);
+  for (Field& field : scan.fields) field.values = gathered(field.values, kept);
+  scan.points = gathered(scan.points, kept);
   scan.width = kept.size();
   scan.height = 1;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "kappa/mesh/ball_sum.hpp"
+#include "kappa/mesh/gather.hpp"
 
 namespace kappa {
 namespace {
@@ -21,12 +22,6 @@ std::vector<T> kept(const std::vector<T>& values, const std::vector<char>& keep)
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (keep[i] != 0) result.push_back(values[i]);
   }
-  return result;
-}
-
-std::vector<Vec3> gathered(const std::vector<Vec3>& points, const std::vector<Index>& from) {
-  std::vector<Vec3> result(from.size());
-  std::transform(from.begin(), from.end(), result.begin(), [&](Index i) { return points[i]; });
   return result;
 }
 
