@@ -92,6 +92,19 @@ std::size_t keep_ground(Scan& scan, const std::string& path, const FilterArgumen
   return ground.size() - kept;
 }
 
+SetAside set_withheld_aside(Scan& scan, const std::string& path) {
+  SetAside withheld(scan, find_withheld(scan));
+  const bool any_left = std::any_of(scan.points.begin(), scan.points.end(), [](const Vec3& p) { return is_finite(p); });
+  if (withheld.size() > 0 && !any_left)
+    throw Error(ErrorCode::InvalidData,
+                "'" + path + "': every point is flagged as withheld; give --withheld to measure them all the same");
+  return withheld;
+}
+
+std::size_t size_of(const std::optional<SetAside>& points) {
+  return points ? points->size() : 0;
+}
+
 std::array<std::pair<const char*, std::size_t>, 6> counts_of(const Filtered& f) {
   return {{{"unplaced", f.selected.unplaced},
            {"class", f.selected.by_class},
@@ -115,6 +128,7 @@ void declare(CLI::App& command, FilterArguments& options) {
       .add_option("--bounds", options.bounds,
                   "Only points within XMIN,YMIN,XMAX,YMAX[,ZMIN,ZMAX] in the coordinates of the file")
       ->option_text("X,Y,X,Y[,Z,Z]");
+  command.add_flag("--withheld", options.withheld, "Measure points that are flagged as withheld, too");
   command.add_option("--voxel", options.voxel, "Thin to one point (nearest to the mean) in each cube of this size")
       ->check(positive())
       ->option_text("SIZE");
@@ -133,6 +147,7 @@ void check(const FilterArguments& arguments) {
 
 void Filtered::restore(Scan& scan) const {
   heights.restore(scan);
+  if (withheld) withheld->restore(scan);
   if (no_returns) no_returns->restore(scan);
 }
 
@@ -148,7 +163,8 @@ Filtered filter(Scan& scan, const std::string& path, const FilterArguments& argu
   Filtered f;
   f.points = scan.points.size();
   f.heights = HeightUnit(arguments.z_scale.value_or(1));
-  f.no_returns.emplace(scan);
+  f.no_returns.emplace(scan, find_no_returns(scan));
+  if (!arguments.withheld) f.withheld = set_withheld_aside(scan, path);
   f.selected = select_points(scan, points, path);
   const double z_scale = f.heights.z_scale();
   if (!arguments.ground.empty()) f.objects = keep_ground(scan, path, arguments, z_scale, run);
@@ -176,14 +192,17 @@ std::string describe(const Filtered& f) {
             (std::string(name) == "unplaced" ? " without a position" : std::string(" by ") + name);
   }
   if (!text.empty()) text = std::to_string(f.points) + " points read; taken away: " + text;
-  const std::size_t none = f.no_returns ? f.no_returns->size() : 0;
-  if (none) text += (text.empty() ? "" : "; ") + std::to_string(none) + " points at (0, 0, 0) are taken for no returns";
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : "; ") + std::to_string(count) + what;
+  };
+  add(size_of(f.no_returns), " points at (0, 0, 0) are taken for no returns");
+  add(size_of(f.withheld), " points are flagged as withheld and not measured (--withheld measures them)");
   return text;
 }
 
 Json to_json(const Filtered& f) {
   Json json;
-  json.add("points_read", f.points).add("no_returns", f.no_returns ? f.no_returns->size() : 0);
+  json.add("points_read", f.points).add("no_returns", size_of(f.no_returns)).add("withheld", size_of(f.withheld));
   for (const auto& [name, count] : counts_of(f)) json.add(name, count);
   return json.add("z_scale", f.heights.z_scale());
 }

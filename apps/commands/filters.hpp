@@ -19,6 +19,7 @@ struct FilterArguments {
   std::string bounds;
   double voxel = 0;               ///< 0: all points stay
   std::optional<double> z_scale;  ///< none: 1
+  bool withheld = false;          ///< measure points that are flagged so, too
   std::string ground;             ///< "smrf" or "pmf", empty: objects stay
   std::optional<double> ground_cell, ground_slope, ground_window, ground_threshold, ground_scaling, ground_max;
 };
@@ -32,7 +33,7 @@ struct Filtered {
   std::size_t points = 0;  ///< in the file
   FilterCounts selected;
   std::size_t objects = 0, thinned = 0;  ///< taken away as no ground, and for others in their cell
-  std::optional<NoReturns> no_returns;
+  std::optional<SetAside> no_returns, withheld;
   HeightUnit heights;
 
   /// Gives a filtered scan the heights and positions of the file again.

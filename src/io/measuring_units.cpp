@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "kappa/core/error.hpp"
 #include "kappa/io/filter.hpp"
@@ -29,16 +31,19 @@ std::vector<Index> find_no_returns(const Scan& scan) {
   return are_many ? found : std::vector<Index>();
 }
 
-NoReturns::NoReturns(Scan& scan) : points_(scan.points.size()), indices_(find_no_returns(scan)) {
+SetAside::SetAside(Scan& scan, std::vector<Index> points) : points_(scan.points.size()), indices_(std::move(points)) {
   for (const Index i : indices_) {
-    zeros_.push_back(scan.points[i]);
-    scan.points[i].setConstant(kNaN);
+    if (i >= points_)
+      throw Error(ErrorCode::InvalidArgument, "point " + std::to_string(i) + " of " + std::to_string(points_) +
+                                                  " cannot be set aside: give an index below their number");
+    positions_.push_back(scan.points[i]);
   }
+  for (const Index i : indices_) scan.points[i].setConstant(kNaN);
 }
 
-void NoReturns::restore(Scan& scan) const {
+void SetAside::restore(Scan& scan) const {
   if (scan.points.size() != points_) return;
-  for (std::size_t k = 0; k < indices_.size(); ++k) scan.points[indices_[k]] = zeros_[k];
+  for (std::size_t k = 0; k < indices_.size(); ++k) scan.points[indices_[k]] = positions_[k];
 }
 
 HeightUnit::HeightUnit(double z_scale) : z_scale_(z_scale) {

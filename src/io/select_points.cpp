@@ -157,6 +157,15 @@ class Selection {
 
 }  // namespace
 
+std::vector<Index> find_withheld(const Scan& scan) {
+  std::vector<Index> found;
+  const Field* const flags = scan.is_mesh() ? nullptr : find_field(scan, {"withheld"});
+  for (std::size_t i = 0; flags && i < scan.points.size(); ++i) {
+    if (flags->values[i] == 1 && is_finite(scan.points[i])) found.push_back(static_cast<Index>(i));
+  }
+  return found;
+}
+
 FilterCounts select_points(Scan& scan, const PointFilter& filter, const std::string& path) {
   if (filter.classes.empty() && filter.returns == Returns::All && !filter.bounds) return {};
   Selection selection(scan, filter, path);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "kappa/io/filter.hpp"
 #include "kappa/io/las.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
@@ -155,6 +156,74 @@ TEST(Filters, NoReturnsOfASpinningScannerKeepTheirRows) {
   const Outcome cut = run({"curvature", in, f.file("cut.ply"), "--radius", "0.2", "--bounds", "-3,-3,3,3"});
   ASSERT_EQ(cut.exit_code, 0) << cut.err;
   EXPECT_NE(cut.out.find("5032 without a position"), std::string::npos) << cut.out;
+}
+
+/// A scene in which every 50th point is far off the ground and flagged.
+Scan scene_with_withheld() {
+  Scan scan = scene();
+  Field withheld{"withheld", Field::Type::UInt8, std::vector<double>(scan.points.size())};
+  for (std::size_t i = 0; i < scan.points.size(); i += 50) {
+    withheld.values[i] = 1;
+    scan.points[i].z() = 200;
+  }
+  scan.fields.push_back(withheld);
+  return scan;
+}
+
+TEST(Filters, WithheldPointsKeepTheirRowsUnmeasured) {
+  const Folder f;
+  const std::string in = written(f, "in.las", scene_with_withheld());
+  const Scan before = read_scan(in);
+  const Outcome done = curvature(f, in, "out.las", {});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("80 points are flagged as withheld and not measured"), std::string::npos) << done.out;
+  const Scan after = read_scan(f.file("out.las"));
+  ASSERT_EQ(after.points.size(), before.points.size());
+  const std::size_t a = before.las->record_length, b = after.las->record_length;
+  for (std::size_t i = 0; i < before.points.size(); ++i) {
+    ASSERT_EQ(after.las->points.substr(i * b, a), before.las->points.substr(i * a, a)) << i;
+    const bool withheld = i % 50 == 0;
+    EXPECT_EQ(after.field("status")->values[i], withheld ? 3 : 0) << i;
+    EXPECT_EQ(std::isnan(after.field("mean_curvature")->values[i]), withheld) << i;
+  }
+}
+
+TEST(Filters, WithheldPointsMakeNoDifference) {
+  const Folder f;
+  std::vector<char> kept(4000, 1);
+  for (std::size_t i = 0; i < kept.size(); i += 50) kept[i] = 0;
+  for (const std::string& name : {std::string("in.las"), std::string("in.pcd")}) {
+    const std::string in = written(f, name, scene_with_withheld());
+    Scan rest = read_scan(in);  // as the file rounds it
+    leave_out(rest, kept);
+    const std::string without = written(f, "rest" + name, rest);
+    ASSERT_EQ(curvature(f, in, "a.ply", {}).exit_code, 0);
+    ASSERT_EQ(curvature(f, without, "b.ply", {}).exit_code, 0);
+    const std::vector<double> a = read_scan(f.file("a.ply")).field("mean_curvature")->values;
+    const std::vector<double> b = read_scan(f.file("b.ply")).field("mean_curvature")->values;
+    for (std::size_t i = 0, at = 0; i < a.size(); ++i) {
+      if (kept[i]) {
+        EXPECT_NEAR(a[i], b[at++], 1e-9) << i;
+      }
+    }
+  }
+}
+
+TEST(Filters, WithheldPointsAreMeasuredWhereAsked) {
+  const Folder f;
+  Scan scan = scene_with_withheld();
+  const std::string in = written(f, "in.las", scan);
+  const Outcome done = curvature(f, in, "out.ply", {"--withheld", "--json"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_NE(done.out.find("\"withheld\": 0"), std::string::npos) << done.out;
+  const Outcome left_out = curvature(f, in, "out.las", {"--class", "2,6", "--json"});
+  EXPECT_NE(left_out.out.find("\"withheld\": 80"), std::string::npos) << left_out.out;
+  EXPECT_EQ(read_scan(f.file("out.las")).points.size(), 3920u) << "filters take what has no position away";
+  std::fill(scan.fields.back().values.begin(), scan.fields.back().values.end(), 1);
+  const Outcome none = curvature(f, written(f, "all.las", scan), "none.las", {});
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_NE(none.err.find("all.las': every point is flagged as withheld; give --withheld"), std::string::npos)
+      << none.err;
 }
 
 TEST(Filters, WrongUseIsTold) {

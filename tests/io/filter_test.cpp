@@ -282,7 +282,7 @@ TEST(NoReturns, LoseTheirPositionUntilRestored) {
   scan.origin = Vec3(0, 0, 1);
   for (std::size_t i = 0; i < 20; ++i) scan.points[5 * i] = Vec3(0, i % 2 ? -0.0 : 0.0, -1);
   const Scan before = scan;
-  const NoReturns none(scan);
+  const SetAside none(scan, find_no_returns(scan));
   EXPECT_EQ(none.size(), 20u);
   EXPECT_FALSE(is_finite(scan.points[15]));
   EXPECT_TRUE(is_finite(scan.points[16]));
@@ -291,11 +291,26 @@ TEST(NoReturns, LoseTheirPositionUntilRestored) {
   EXPECT_EQ(scan.points, before.points);
 }
 
+TEST(Withheld, AreFoundByTheirFlag) {
+  Scan scan = line(10);
+  EXPECT_TRUE(find_withheld(scan).empty());
+  scan.fields = {{"Withheld", Field::Type::UInt8, {0, 1, 0, 0, 1, 0, 0, 0, 0, 1}}};
+  scan.points[4].setConstant(kNaN);
+  EXPECT_EQ(find_withheld(scan), (std::vector<Index>{1, 9}));
+  scan.faces.add(0, 1, 2);
+  EXPECT_TRUE(find_withheld(scan).empty()) << "a mesh needs its corners";
+}
+
+TEST(SetAside, RefusesWhatIsNoPoint) {
+  Scan scan = line(10);
+  test::expect_error([&] { SetAside(scan, {10}); }, ErrorCode::InvalidArgument, "point 10 of 10");
+}
+
 TEST(NoReturns, AreNotRestoredAmongOtherPoints) {
   Scan scan = line(100);
   scan.origin = Vec3(0, 0, 1);
   for (std::size_t i = 0; i < 20; ++i) scan.points[5 * i] = Vec3(0, 0, -1);
-  const NoReturns none(scan);
+  const SetAside none(scan, find_no_returns(scan));
   EXPECT_EQ(select_points(scan, of_bounds({-9, -9, 0}, {9, 9, 9}), "a.pcd").unplaced, 20u);
   const std::vector<Vec3> selected = scan.points;
   none.restore(scan);

@@ -62,10 +62,16 @@ void leave_out(Scan& scan, const std::vector<char>& kept);
 /// see itself; a few points at the origin (both signs of zero) are taken for what they say. Meshes have none.
 std::vector<Index> find_no_returns(const Scan& scan);
 
-/// Takes the position (NaN) from the points that find_no_returns finds, and gives it back: rows stay as they are.
-class NoReturns {
+/// Points that have a position and are flagged as withheld (field `withheld`, found as `select_points` finds fields):
+/// a flag of LAS files for a point that "should not be included in processing (synonymous with Deleted)" (LAS 1.4,
+/// classification flags). Meshes have none.
+std::vector<Index> find_withheld(const Scan& scan);
+
+/// Takes the position (NaN) from some points, so that they are not measured, and gives it back: rows stay as they are.
+class SetAside {
  public:
-  explicit NoReturns(Scan& scan);
+  /// @throws Error InvalidArgument if an index is not below the number of points.
+  SetAside(Scan& scan, std::vector<Index> points);
   /// Nothing if points were taken away since: those without a position are the first to go.
   void restore(Scan& scan) const;
   std::size_t size() const { return indices_.size(); }
@@ -73,7 +79,7 @@ class NoReturns {
  private:
   std::size_t points_;
   std::vector<Index> indices_;
-  std::vector<Vec3> zeros_;  ///< of either sign
+  std::vector<Vec3> positions_;  ///< before, to the sign of a zero
 };
 
 /// Brings the heights of a scan into the unit of x and y, and back to the very bits.
