@@ -22,7 +22,7 @@ std::vector<char> border_vertices(const MeasuredTriangles& t) {
   for (std::size_t i = 0; i < t.size(); ++i) {
     const auto& c = t.corners[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 opposite = t.weights[i] * (t.x[c[(k + 2) % 3]] - t.x[c[(k + 1) % 3]]);
+      const Vec3 opposite = t.weight(i) * (t.x[c[(k + 2) % 3]] - t.x[c[(k + 1) % 3]]);
       loops[c[k]].gap += opposite;
       loops[c[k]].length += opposite.norm();
     }
@@ -49,7 +49,7 @@ void add_sides(const MeasuredTriangles& t, std::size_t i, const std::vector<char
     if (!at_border[a] || !at_border[b]) continue;
     const Vec3 edge = t.x[b] - t.x[a];
     const Vec3 outward = edge.cross(edge.cross(t.x[c[(k + 2) % 3]] - t.x[a]));
-    const double length = outward.norm(), weight = t.weights[i];
+    const double length = outward.norm(), weight = t.weight(i);
     if (!(length > 0)) continue;
     sides.push_back({std::min(a, b), std::max(a, b), outward * (weight / length), a < b ? weight : -weight});
   }
@@ -98,6 +98,7 @@ std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles) {
   if (is_refined(triangles)) return {};
   const std::vector<Side> sides = sides_at_border(triangles);
   const auto heaviest = std::max_element(triangles.weights.begin(), triangles.weights.end());
+  const double least = 0.5 * (heaviest == triangles.weights.end() ? 1.0 : *heaviest);
   std::vector<BorderEdge> edges;
   for (std::size_t first = 0, end; first < sides.size(); first = end) {
     Vec3 outward = Vec3::Zero();
@@ -106,7 +107,7 @@ std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles) {
       outward += sides[end].outward;
       turn += sides[end].turn;
     }
-    if (std::min(std::abs(turn), outward.norm()) > 0.5 * *heaviest)
+    if (std::min(std::abs(turn), outward.norm()) > least)
       edges.push_back({triangles.x[sides[first].low], triangles.x[sides[first].high], outward});
   }
   return edges;
