@@ -20,9 +20,18 @@ MeasuredTriangles measured_surface(const CurvatureJob& job, const Execution& exe
   return measure_triangles(umbrella.mesh, job.normals, job.quads, execution);
 }
 
+CurvatureOptions options_of(const CurvatureJob& job, double radius) {
+  CurvatureOptions options;
+  options.radii = {radius};
+  options.ball = job.ball;
+  options.order = job.order;
+  return options;
+}
+
 CurvatureSample sample_of(const BallSum& balls, const CurvatureJob& job, std::size_t i) {
   if (job.radii[i] > 0) {
-    const auto fields = estimate_curvatures(balls, {job.centres[i]}, {job.centre_normals[i]}, {job.radii[i]}, job.ball);
+    const auto fields = estimate_curvatures(balls, std::vector<Vec3>{job.centres[i]}, Normals{job.centre_normals[i]},
+                                            options_of(job, job.radii[i]));
     return fields.front().samples.front();
   }
   CurvatureSample sample;
@@ -38,7 +47,7 @@ std::vector<CurvatureSample> run(const CurvatureJob& job, const Execution& execu
   const MeasureTree balls(measured_surface(job, stage(execution, 0, 0.5)));
   const Execution rest = stage(execution, 0.5, 1);
   if (job.radii.empty()) {
-    auto fields = estimate_curvatures(balls, job.centres, job.centre_normals, {job.radius}, job.ball, rest);
+    auto fields = estimate_curvatures(balls, job.centres, job.centre_normals, options_of(job, job.radius), rest);
     return std::move(fields.front().samples);
   }
   std::vector<CurvatureSample> samples(job.centres.size());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kappa/mesh/measure_tree.hpp"
 #include "kappa/mesh/normals.hpp"
@@ -97,6 +98,41 @@ TEST(CorrectedCurvatureEstimation, TorusHasItsCurvaturesAndDirections) {
   EXPECT_LT(worst_mean, 5e-3);
   EXPECT_LT(worst_k, 3e-2);
   EXPECT_GT(worst_k, 5e-3);
+}
+
+TEST(CorrectedCurvatureEstimation, OrdersCancelTheBiasOfTheBall) {
+  const double radius = 2, k = 1 / radius;
+  Estimation estimation;
+  set_shape(sphere(radius, 3000), estimation);
+  estimation.setRadiusSearch(0.5);
+  double worst[3];
+  for (int order = 1; order <= 3; ++order) {
+    estimation.setOrder(order);
+    const Output out = compute(estimation);
+    ASSERT_EQ(estimation.getStandardErrors().size(), out.size());
+    double& of_order = worst[order - 1] = 0;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      of_order = std::max(of_order, std::abs(double{out[i].k_max} - k));
+      EXPECT_EQ(std::isnan(estimation.getStandardErrors()[i]), order == 1);
+    }
+  }
+  // A ball of 0.5 on a sphere of 2 loses 1/64 of each curvature at order 1.
+  EXPECT_NEAR(worst[0], k / 64, 2e-3);
+  EXPECT_LT(worst[1], worst[0] / 3);
+  EXPECT_LT(worst[2], worst[0] / 3);
+}
+
+TEST(CorrectedCurvatureEstimation, AnOrderThatIsNoneIsToldInTheStatus) {
+  for (const int order : {0, 4, -1}) {
+    Estimation estimation;
+    set_shape(sphere(2, 300), estimation);
+    estimation.setRadiusSearch(0.5);
+    estimation.setOrder(order);
+    Output out;
+    estimation.compute(out);
+    EXPECT_TRUE(out.empty()) << order;
+    EXPECT_EQ(estimation.status().code(), ErrorCode::InvalidArgument) << order;
+  }
 }
 
 TEST(CorrectedCurvatureEstimation, FlippedNormalsFlipTheSigns) {

@@ -79,6 +79,15 @@ class CorrectedCurvatureEstimation : public pcl::FeatureFromNormals<PointInT, Po
   void setQuadMeasures(QuadMeasures quads) { quads_ = quads; }
   QuadMeasures getQuadMeasures() const { return quads_; }
 
+  /// Order of the bias that is cancelled, 1 (none, the default) to 3: curvatures are extrapolated from balls of the
+  /// radius and smaller ones, see `extrapolate`. Anything else makes compute() fail.
+  void setOrder(int order) { order_ = order; }
+  int getOrder() const { return order_; }
+
+  /// Standard errors of the second form at the points of the last compute(), in the order of the output, from how much
+  /// the orders differ; NaN at order 1 and where there is no curvature.
+  const std::vector<double>& getStandardErrors() const { return std_errors_; }
+
   /// Neighbours of which each star of the umbrella surface is made, 3 to 255; without effect with polygons.
   void setUmbrellaNeighbours(int neighbours) { umbrella_.neighbours = neighbours; }
   int getUmbrellaNeighbours() const { return umbrella_.neighbours; }
@@ -100,7 +109,7 @@ class CorrectedCurvatureEstimation : public pcl::FeatureFromNormals<PointInT, Po
   detail::CurvatureJob translate() const;
   void place_ball(std::size_t position, detail::CurvatureJob& job) const;
   Index surface_point_at(pcl::index_t input_index) const;
-  void fill(const detail::CurvatureJob& job, const std::vector<CurvatureSample>& samples, PointCloudOut& output) const;
+  void fill(const detail::CurvatureJob& job, const std::vector<CurvatureSample>& samples, PointCloudOut& output);
   Execution execution() const;
   void log_failure() const;
 
@@ -109,6 +118,8 @@ class CorrectedCurvatureEstimation : public pcl::FeatureFromNormals<PointInT, Po
   std::vector<pcl::Vertices> polygons_;
   BallDefinition ball_ = BallDefinition::ExactDensity;
   QuadMeasures quads_ = QuadMeasures::Split;
+  int order_ = 1;
+  std::vector<double> std_errors_;
   UmbrellaOptions umbrella_;
   const std::atomic<bool>* cancel_ = nullptr;
   Status status_;

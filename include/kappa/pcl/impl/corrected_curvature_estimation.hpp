@@ -24,6 +24,7 @@ CorrectedCurvatureEstimation<PointInT, PointNT, PointOutT>::CorrectedCurvatureEs
 
 template <class PointInT, class PointNT, class PointOutT>
 bool CorrectedCurvatureEstimation<PointInT, PointNT, PointOutT>::initCompute() {
+  std_errors_.clear();
   status_ = detail::status_of([this] {
     check_input();
     prepare_base();
@@ -86,6 +87,7 @@ detail::CurvatureJob CorrectedCurvatureEstimation<PointInT, PointNT, PointOutT>:
   job.normals = normalised(normals_of(*this->normals_));
   job.radius = this->search_radius_;
   job.ball = ball_;
+  job.order = order_;
   job.quads = quads_;
   job.umbrella = umbrella_;
 
@@ -136,9 +138,10 @@ Index CorrectedCurvatureEstimation<PointInT, PointNT, PointOutT>::surface_point_
 template <class PointInT, class PointNT, class PointOutT>
 void CorrectedCurvatureEstimation<PointInT, PointNT, PointOutT>::fill(const detail::CurvatureJob& job,
                                                                       const std::vector<CurvatureSample>& samples,
-                                                                      PointCloudOut& output) const {
+                                                                      PointCloudOut& output) {
   output.is_dense = true;
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    std_errors_.push_back(samples[i].std_error);
     to_point(samples[i], job.centres[i] + job.surface.origin, job.centre_normals[i], output[i]);
     if (samples[i].k.status != PointStatus::Valid) output.is_dense = false;
   }

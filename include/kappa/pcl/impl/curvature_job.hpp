@@ -21,6 +21,7 @@ struct CurvatureJob {
   double radius = 0;          ///< of all balls, if radii is empty
   std::vector<double> radii;  ///< of the ball around each centre, 0 for none
   BallDefinition ball = BallDefinition::ExactDensity;
+  int order = 1;
   QuadMeasures quads = QuadMeasures::Split;
   UmbrellaOptions umbrella;
 };
