@@ -249,9 +249,9 @@ void rotation_table() {
 void print_border_row(const Oriented& cloud, double noise, double radius, int order) {
   const Mesh mesh = umbrella_surface(Vec3::Zero(), cloud.known.scan.points, cloud.u, {}).mesh;
   CurvatureOptions options = at(radius, order);
-  const CurvatureField at_centre = estimate_curvatures(mesh, cloud.u, options)[0];
-  options.border = BorderEstimate::InBall;
   const CurvatureField in_ball = estimate_curvatures(mesh, cloud.u, options)[0];
+  options.border = BorderEstimate::AtCentre;
+  const CurvatureField at_centre = estimate_curvatures(mesh, cloud.u, options)[0];
   std::vector<TrueCurvature> at_border = cloud.known.truth;
   std::size_t count = 0;
   for (std::size_t i = 0; i < at_border.size(); ++i) {

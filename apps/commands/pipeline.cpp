@@ -180,6 +180,7 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
   options.radii = radii;
   options.order = arguments.order.value_or(1);
   options.ball = arguments.ball;
+  options.border = arguments.border;
   options.vertex_limit = arguments.limit;
   std::vector<CurvatureField> fields = estimate_curvatures(*measured.balls, measured.surface.u, options, run);
   if (arguments.min_coverage > 0) {

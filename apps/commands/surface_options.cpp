@@ -186,6 +186,12 @@ void declare(CLI::App& command, MeasureArguments& options) {
       ->transform(
           one_of<BallDefinition>({{"exact", BallDefinition::ExactDensity}, {"fraction", BallDefinition::AreaFraction}}))
       ->option_text("KIND=exact");
+  command
+      .add_option("--border", options.border,
+                  "Where balls reach over a border: curvatures of what is in the ball, or at its centre, for smooth "
+                  "surfaces: ball, centre")
+      ->transform(one_of<BorderEstimate>({{"ball", BorderEstimate::InBall}, {"centre", BorderEstimate::AtCentre}}))
+      ->option_text("KIND=ball");
   command.add_option("--quads", options.quads, "Quads as four triangles or as bilinear patches: split, bilinear")
       ->transform(one_of<QuadMeasures>({{"split", QuadMeasures::Split}, {"bilinear", QuadMeasures::Bilinear}}))
       ->option_text("KIND=split");

@@ -42,6 +42,7 @@ inline constexpr const char* kAutoPerPoint = "auto-per-point";
 struct MeasureArguments {
   std::vector<std::string> radii;
   BallDefinition ball = BallDefinition::ExactDensity;
+  BorderEstimate border = BorderEstimate::InBall;
   QuadMeasures quads = QuadMeasures::Split;
   VertexLimit limit = VertexLimit::Star;
   std::string engine = "tree";

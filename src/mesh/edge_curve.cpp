@@ -146,18 +146,21 @@ CurvePoint middle_of_middles(const CurvePoint& a, const CurvePoint& b) {
   return m;
 }
 
-/// Of an odd number, the mean of the points that lie a share of the way from the middle of the others to a corner.
+/// Of an odd number, the mean of the points that lie a share of the way from the middle of the others to a corner; of
+/// many, to three of them, since the number of middles of middles would explode.
 CurvePoint odd_centre(const std::vector<CurvePoint>& corners) {
-  const std::size_t count = corners.size();
+  constexpr std::size_t kMany = 10;
+  const std::size_t count = corners.size(), step = count < kMany ? 1 : (count + 2) / 3;
+  const double terms = count < kMany ? static_cast<double>(count) : 3;
   const Place at = place(1 / static_cast<double>(count));
   CurvePoint mean = {Vec3::Zero(), Vec3::Zero(), Mat3::Zero()};
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; i += step) {
     std::vector<CurvePoint> others;
     for (std::size_t j = 1; j < count; ++j) others.push_back(corners[(i + j) % count]);
     const CurvePoint m = curved_point(curved_centre(std::move(others)), corners[i], at);
-    mean.x += m.x / static_cast<double>(count);
+    mean.x += m.x / terms;
     mean.u += m.u;
-    mean.shape += m.shape / static_cast<double>(count);
+    mean.shape += m.shape / terms;
   }
   normalise(mean.u);
   const Mat3 plane = Mat3::Identity() - mean.u * mean.u.transpose();

@@ -18,8 +18,8 @@ struct CurvePoint {
 CurvePoint curved_midpoint(const CurvePoint& a, const CurvePoint& b);
 
 /// The middle of a polygon, which on flat ones is the mean of the corners: of an even number, that of the middles of
-/// opposite corners; of an odd one, the mean of the points 1 / count of the way from the middle of the others to each.
-/// Corners must not be none.
+/// opposite corners; of an odd one, the mean of the points 1 / count of the way from the middle of the others to each,
+/// of 11 and more to three of them alone. Corners must not be none.
 CurvePoint curved_centre(std::vector<CurvePoint> corners);
 
 }  // namespace kappa

@@ -206,7 +206,6 @@ ShapeOperators measured_shapes(MeasuredTriangles triangles, const Normals& norma
   CurvatureOptions options;
   options.radii = {radius};
   options.order = kShapeOrder;
-  options.border = BorderEstimate::InBall;
   const MeasureTree balls(std::move(triangles));
   const std::vector<CurvatureField> fields = estimate_curvatures(balls, normals, options, run);
   ShapeOperators shapes;

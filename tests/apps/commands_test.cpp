@@ -120,6 +120,23 @@ TEST(Commands, RadiusAndOrderOfEveryPoint) {
   }
 }
 
+TEST(Commands, BordersOfSmoothTerrainAreMeasuredAtTheirPoints) {
+  const Folder f;
+  generate({"waves", f.file("terrain.ply"), "--points", "20000", "--width", "150", "--depth", "150"});
+  const Scan truth = read_scan(f.file("terrain.ply"));
+  std::vector<double> errors;
+  for (const std::string border : {"ball", "centre"}) {
+    const Outcome done =
+        run({"curvature", f.file("terrain.ply"), f.file("o.ply"), "--radius", "8", "--border", border});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    errors.push_back(rms_of(compare_scans(read_scan(f.file("o.ply")), truth), "mean_curvature"));
+  }
+  EXPECT_LT(errors[1], errors[0] / 2);
+  const Outcome usual = run({"curvature", f.file("terrain.ply"), f.file("o.ply"), "--radius", "8"});
+  ASSERT_EQ(usual.exit_code, 0) << usual.err;
+  EXPECT_EQ(rms_of(compare_scans(read_scan(f.file("o.ply")), truth), "mean_curvature"), errors[0]);
+}
+
 TEST(Commands, RefiningWarnsOfNoise) {
   const Folder f;
   generate({"torus", f.file("torus.ply"), "--slices", "40", "--sides", "30"});

@@ -171,6 +171,25 @@ TEST(Refine, MiddlesOfPolygonsAreOfFourthOrder) {
   }
 }
 
+TEST(Refine, MiddlesOfFlatPolygonsAreTheMeansOfTheirCorners) {
+  for (const std::size_t count : {4, 5, 7, 9, 11, 13, 62, 1023}) {
+    Mesh mesh;
+    std::vector<Index> face;
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle = 2 * kPi * static_cast<double>(i) / static_cast<double>(count);
+      mesh.vertices.emplace_back(3 * std::cos(angle) + 0.3 * std::sin(5 * angle), std::sin(angle), 0.5);
+      mean += mesh.vertices.back() / static_cast<double>(count);
+      face.push_back(static_cast<Index>(i));
+    }
+    mesh.faces.add(face);
+    const ShapeOperators flat(count, Mat3::Zero());
+    const MeasuredTriangles t = measure_refined(mesh, Normals(count, Vec3::UnitZ()), flat, 1);
+    EXPECT_LT((t.x[count] - mean).norm(), 1e-14) << count;
+    EXPECT_LT((t.u[count] - Vec3::UnitZ()).norm(), 1e-15) << count;
+  }
+}
+
 TEST(Refine, MiddlesOfPolygonsDoNotDependOnTheFirstCorner) {
   for (const int corners : {4, 5, 6}) {
     const Shape s = torus_of_polygons(24, corners);

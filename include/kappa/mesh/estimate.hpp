@@ -55,7 +55,9 @@ enum class BorderEstimate {
   /// there are fewer than 12. As much is taken off as stands out of the error of the fit; with fewer than 6 points, or
   /// across a single row of them, nothing is. Measures, area and coverage stay those of the ball, so that the mean is
   /// no longer mu1 / (2 mu0) there. Where no border is within the ball nothing changes, to the bit. At orders 2 and 3
-  /// `std_error` has the error of what was taken off in it.
+  /// `std_error` has the error of what was taken off in it. For surfaces whose curvature varies little within a ball,
+  /// as smooth terrain and freeform scans: where features are as narrow as the ball, as the ridge of a small roof, the
+  /// gradient goes beyond them, and eaves that are flat come out bent.
   AtCentre
 };
 
@@ -73,7 +75,7 @@ struct CurvatureOptions {
   int refine = 0;
   /// For balls at the vertices of a surface that is not refined; at other centres, at radius 0 and at scales chosen per
   /// point the curvatures are those in the ball.
-  BorderEstimate border = BorderEstimate::AtCentre;
+  BorderEstimate border = BorderEstimate::InBall;
 };
 
 /// @throws Error InvalidArgument if faces are to be refined and quads bilinear; and unless each point has its own

@@ -41,12 +41,8 @@ template <class Real, int N>
 /// Four triangles of the mesh, wherever they are.
 class FourOfMesh {
  public:
-  [[gnu::always_inline]] FourOfMesh(const TriangleView& t, const std::uint32_t* names) : triangles_(t) {
-    for (int lane = 0; lane < 4; ++lane) {
-      const std::uint32_t* const corners = t.corners + std::size_t{3} * names[lane];
-      for (int corner = 0; corner < 3; ++corner) at_[corner][lane] = std::size_t{3} * corners[corner];
-    }
-  }
+  [[gnu::always_inline]] FourOfMesh(const TriangleView& t, const std::uint32_t* names)
+      : triangles_(t), at_{corners_of(names[0]), corners_of(names[1]), corners_of(names[2]), corners_of(names[3])} {}
 
   [[gnu::always_inline]] Corners<VD> corners(const double* centre) const {
     const Vector3<VD> c = {spread(centre[0]), spread(centre[1]), spread(centre[2])};
@@ -59,14 +55,17 @@ class FourOfMesh {
   }
 
  private:
+  [[gnu::always_inline]] const std::uint32_t* corners_of(std::uint32_t name) const {
+    return triangles_.corners + std::size_t{3} * name;
+  }
   [[gnu::always_inline]] Vector3<VD> of(const double* vectors, int corner) const {
-    const std::size_t* const i = at_[corner];
-    const double* const from[4] = {vectors + i[0], vectors + i[1], vectors + i[2], vectors + i[3]};
+    const auto at = [&](int lane) { return vectors + std::size_t{3} * at_[lane][corner]; };
+    const double* const from[4] = {at(0), at(1), at(2), at(3)};
     return gathered_vectors(from);
   }
 
   const TriangleView& triangles_;
-  std::size_t at_[3][4];
+  const std::uint32_t* at_[4];
 };
 
 /// As many waiting triangles as there are lanes, from one place on: of the mesh in doubles, of leaves in floats.
