@@ -106,10 +106,10 @@ inline MF beyond_plane(const Leaf<Real>& leaf, const Met& m, VF reach_sq) {
   return (least_along > spread(0.0F)) & (least_along * least_along > reach_sq * way_sq);
 }
 
-/// Triangles with a corner nearer than `bound`, and those without that may reach into the ball. A point with
-/// barycentric coordinates b_i is at |x|^2 = sum b_i |x_i|^2 - sum b_i b_j |x_i - x_j|^2: nearer than the nearest
-/// corner by at most a third of the longest edge squared. `reach_sq`: squared radius with what the distances may be off
-/// by.
+/// Triangles with a corner within the square root of `reach_sq`, and those without that may reach into the ball. A
+/// point with barycentric coordinates b_i is at |x|^2 = sum b_i |x_i|^2 - sum b_i b_j |x_i - x_j|^2: nearer than the
+/// nearest corner by at most a third of the longest edge squared. `reach_sq`: squared radius with what the distances
+/// may be off by.
 template <class Real>
 [[gnu::always_inline]] inline unsigned near(const Leaf<Real>& leaf, const Met& m, double reach_sq) {
   constexpr double kOut = 1 + 4e-6;  // for the roundings of floats
