@@ -96,6 +96,7 @@ struct Around {
 template <class M>
 struct Turn {
   M second, third;
+  Turn() = default;
   Turn(M in0, M in1, M in2) : second((in0 ^ in1) & ~(in0 ^ in2)), third((in0 ^ in2) & ~(in0 ^ in1)) {}
 };
 
@@ -149,43 +150,62 @@ inline V crossing(V along, V length_sq, V power, M inside) {
   return min(t, splat<V>(1));
 }
 
-template <class V, class M>
-struct CornerPiece {
-  Piece<V> piece;
-  M good;
+/// Triangles from a corner on that is alone on its side of the sphere, and what is found there step by step.
+template <class V>
+struct Corner {
+  using M = decltype(V{} < V{});
+  M inside;         ///< the ball
+  V x1, x2;         ///< products of the corner with the edges e1, e2 from it
+  V e11, e12, e22;  ///< products of the edges
+  V f1, f2;         ///< where the sphere crosses them, as fractions of them
+  V k1, k2;         ///< products of the chord f2 e2 - f1 e1 with them
+  V chord_sq, s;    ///< squared length of the chord, and as above
+  M good;           ///< the forms are right
 };
 
-/// The part of triangles whose first corner is on the other side of the sphere.
-template <class Real, bool kMoments, class M, class V>
-[[gnu::always_inline]] inline CornerPiece<V, M> corner_piece(const Around<V>& t, const Disc<V>& d, V longest_sq,
-                                                             V radius_sq) {
-  const V zero = splat<V>(0), one = splat<V>(1), third = splat<V>(1.0 / 3), half = splat<V>(0.5);
+/// `t`: from their lonely corners on.
+template <class Real, class V>
+[[gnu::always_inline]] inline void cross_edges(const Around<V>& t, Corner<V>& c) {
+  const V zero = splat<V>(0), half = splat<V>(0.5);
   const V power = t.power[0], e11 = t.edge_sq[0], e33 = t.edge_sq[1], e22 = t.edge_sq[2];
   // Products of the corners with the edges: |x + e|^2 = |x|^2 + 2 <x, e> + |e|^2.
-  const V x1 = half * (t.rise[0] - e11), x2 = -half * (t.rise[2] + e22);
-  const V x3 = half * (t.rise[1] - e33), e12 = half * (e11 + e22 - e33);
-  const M inside = power <= zero;
-  const V f1 = crossing<Real>(x1, e11, power, inside), f2 = crossing<Real>(x2, e22, power, inside);
-  // The chord f2 e2 - f1 e1, by its products with the edges.
-  const V k1 = f2 * e12 - f1 * e11, k2 = f2 * e22 - f1 * e12;
+  const V x1 = half * (t.rise[0] - e11), x2 = -half * (t.rise[2] + e22), x3 = half * (t.rise[1] - e33);
+  const auto inside = power <= zero;
+  // For corners inside, the sphere may cross the opposite edge twice.
+  c.good = ~(inside & (x3 < zero) & (x3 + e33 > zero) & (x3 * x3 > e33 * t.power[1]));
+  c.inside = inside;
+  c.x1 = x1, c.x2 = x2;
+  c.e11 = e11, c.e12 = half * (e11 + e22 - e33), c.e22 = e22;
+  c.f1 = crossing<Real>(x1, e11, power, inside), c.f2 = crossing<Real>(x2, e22, power, inside);
+}
+
+template <class Real, class V>
+[[gnu::always_inline]] inline void find_chord(const Disc<V>& d, V longest_sq, V radius_sq, Corner<V>& c) {
+  const V zero = splat<V>(0);
+  const V f1 = c.f1, f2 = c.f2, k1 = f2 * c.e12 - f1 * c.e11, k2 = f2 * c.e22 - f1 * c.e12;
   const V chord_sq = max(f2 * k2 - f1 * k1, zero);
   const V s = splat<V>(0.25) * chord_sq * d.normal_sq * d.over_disc_sq;
   // The arc is less than half of the circle if the centre is behind the chord.
-  const V before = k2 * (x1 + f1 * e11) - k1 * (x2 + f1 * e12);
-  // For corners inside, the sphere may cross the opposite edge twice.
-  const M opposite_cut = inside & (x3 < zero) & (x3 + e33 > zero) & (x3 * x3 > e33 * t.power[1]);
-  const M narrow = (s <= splat<V>(kWidestArc)) & (select(inside, before, -before) >= zero);
-  CornerPiece<V, M> c;
-  c.good = well_shaped<Real>(d, longest_sq, radius_sq) & narrow & ~opposite_cut;
-  const Segment<V> segment = segment_over<Real, kMoments>(chord_sq, d, s);
-  const V cut_off = select(inside, f1 * f2, -f1 * f2);
-  c.piece.share = select(inside, zero, one) + cut_off + segment.share;
-  c.piece.m1 = c.piece.m2 = zero;
-  if (!kMoments) return c;
-  const V outward = select(inside, segment.outward, -segment.outward), of_cut_off = third * cut_off;
-  c.piece.m1 = of_cut_off * (f1 - one) + segment.share * (half * f1 - third) + outward * k2;
-  c.piece.m2 = of_cut_off * (f2 - one) + segment.share * (half * f2 - third) - outward * k1;
-  return c;
+  const V before = k2 * (c.x1 + f1 * c.e11) - k1 * (c.x2 + f1 * c.e12);
+  const auto narrow = (s <= splat<V>(kWidestArc)) & (select(c.inside, before, -before) >= zero);
+  c.good = c.good & narrow & well_shaped<Real>(d, longest_sq, radius_sq);
+  c.k1 = k1, c.k2 = k2;
+  c.chord_sq = chord_sq, c.s = s;
+}
+
+/// What the ball has of triangles on the side of their lonely corners, or on the other.
+template <class Real, bool kMoments, class V>
+[[gnu::always_inline]] inline Piece<V> corner_piece(const Corner<V>& c, const Disc<V>& d) {
+  const V zero = splat<V>(0), one = splat<V>(1), third = splat<V>(1.0 / 3), half = splat<V>(0.5);
+  const V f1 = c.f1, f2 = c.f2;
+  const Segment<V> segment = segment_over<Real, kMoments>(c.chord_sq, d, c.s);
+  const V cut_off = select(c.inside, f1 * f2, -f1 * f2);
+  Piece<V> piece = {select(c.inside, zero, one) + cut_off + segment.share, zero, zero};
+  if (!kMoments) return piece;
+  const V outward = select(c.inside, segment.outward, -segment.outward), of_cut_off = third * cut_off;
+  piece.m1 = of_cut_off * (f1 - one) + segment.share * (half * f1 - third) + outward * c.k2;
+  piece.m2 = of_cut_off * (f2 - one) + segment.share * (half * f2 - third) - outward * c.k1;
+  return piece;
 }
 
 /// Which of triangles with all corners outside the ball may reach into it: one of their edges does, or the disc lies

@@ -13,11 +13,13 @@ namespace {
 
 /// Pieces times the weights of their triangles.
 template <class V>
-[[gnu::noinline]] Piece<V> weighed(const double* weights, const std::uint32_t* triangles, const Piece<V>& piece) {
+[[gnu::always_inline]] inline void weigh(const double* weights, const std::uint32_t* triangles, Piece<V>& piece) {
   V by = splat<V>(0);
   for (int lane = 0; lane < Lanes<RealOf<V>>::kCount; ++lane)
     by[lane] = static_cast<RealOf<V>>(weights[triangles[lane]]);
-  return {by * piece.share, by * piece.m1, by * piece.m2};
+  piece.share = by * piece.share;
+  piece.m1 = by * piece.m1;
+  piece.m2 = by * piece.m2;
 }
 
 /// Adds what triangles have beside their densities, times their shares.
@@ -28,16 +30,6 @@ template <class Real, class V>
     const double* const s = beside + std::size_t{kSums} * triangles[lane];
     for (int i = 0; i < kSums; ++i) ball.sum[i] += static_cast<double>(share[lane]) * s[i];
   }
-}
-
-/// Adds pieces of triangles, 0 in the lanes that do not count.
-template <class Real, class V>
-[[gnu::always_inline]] inline void add_pieces(const Rim<Real>& rim, const std::uint32_t* names, const Fan<V>& u,
-                                              const Placed<V>& t, const Vector3<V>& normal, V normal_sq,
-                                              Piece<V> piece) {
-  if (rim.triangles.beside) add_beside(rim.triangles.beside, names, piece.share, rim.ball);
-  if (rim.triangles.weights) piece = weighed(rim.triangles.weights, names, piece);
-  add_densities(u, t.e1, t.e2, normal, normal_sq, piece, rim.ball);
 }
 
 /// Counts triangles that were measured together, and, in doubles, what the error of their sum depends on.
@@ -67,11 +59,14 @@ template <bool kMoments, class Real>
     count_measured(rim.ball, part.longest * part.longest, certain);
     // A lane that does not count may hold NaN, which 0 does not cancel.
     const auto counted = [&](VD of) { return select(certain, of, zero); };
-    const Piece<VD> piece = {counted(part.share), kMoments ? counted(part.share * (part.b1 - third)) : zero,
-                             kMoments ? counted(part.share * (part.b2 - third)) : zero};
+    Piece<VD> piece = {counted(part.share), kMoments ? counted(part.share * (part.b1 - third)) : zero,
+                       kMoments ? counted(part.share * (part.b2 - third)) : zero};
+    if (rim.triangles.beside) add_beside(rim.triangles.beside, names, piece.share, rim.ball);
+    if (rim.triangles.weights) weigh(rim.triangles.weights, names, piece);
     const Placed<VD> t = four.placed();
     const Vector3<VD> normal = cross(t.e1, t.e2);
-    add_pieces(rim, names, four.normals(), t, normal, dot(normal, normal), piece);
+    add_densities(normals_from(rim, rim.ball.irregular, first), t.e1, t.e2, normal, dot(normal, normal), piece,
+                  rim.ball);
   }
   rim.ball.irregular.count = 0;
 }
@@ -102,46 +97,119 @@ template <class V>
   }
 }
 
-/// Adds as many waiting triangles as there are lanes, from place `first` on and below `end`.
-template <bool kMoments, class Real>
-[[gnu::always_inline]] inline void add_lanes_from(const Rim<Real>& rim, int first, int end) {
-  using V = Vector<Real>;
+/// As many triangles as a vector has lanes, and what is found of them step by step. A processor looks a few hundred
+/// instructions ahead, less than all steps take: one after the other they wait for roots and quotients, while the same
+/// step of several batches does not.
+template <class V>
+struct Batch {
   using M = decltype(V{} < V{});
-  const V zero = splat<V>(0), one = splat<V>(1), radius_sq = splat<V>(rim.ball.radius_sq);
+  Vector3<V> e1, e2, normal;  ///< edges from the first corner, and their cross product
+  V from_plane;               ///< product of the normal with any point of the plane
+  Around<V> around;
+  Disc<V> disc;
+  V longest_sq;
+  M all, cut, outside;  ///< inside the ball, with corners inside and outside, with corners outside alone
+  Turn<M> turn;
+  Corner<V> corner;
+  Piece<V> piece;
+};
+
+template <class V>
+[[gnu::always_inline]] inline void assign(const Vector3<V>& from, Vector3<V>& to) {
+  to.x = from.x;
+  to.y = from.y;
+  to.z = from.z;
+}
+
+template <class Real, class V>
+[[gnu::always_inline]] inline void place(const Rim<Real>& rim, int first, Batch<V>& b) {
   const InLanes<Real> from(rim, rim.ball.waiting, first);
   const Placed<V> t = from.placed();
-  const Vector3<V> e3 = t.e2 - t.e1, normal = cross(t.e1, t.e2);
-  const Powers<V> p = from.powers(radius_sq);
-  const Around<V> a = {{p.first, p.second, p.third},
-                       {p.to_second, p.to_third - p.to_second, -p.to_third},
-                       {dot(t.e1, t.e1), dot(e3, e3), dot(t.e2, t.e2)}};
-  const V longest_sq = max(a.edge_sq[0], max(a.edge_sq[1], a.edge_sq[2])), from_plane = dot(normal, t.x);
-  const V normal_sq = dot(normal, normal), disc_sq = radius_sq * normal_sq - from_plane * from_plane;
-  const Disc<V> d = {normal_sq, disc_sq, one / disc_sq};
-  const M in0 = p.first <= zero, in1 = p.second <= zero, in2 = p.third <= zero, valid = first_lanes(zero, end - first);
-  const M all = in0 & in1 & in2 & valid, any = (in0 | in1 | in2) & valid, cut = any & ~all;
+  const Vector3<V> normal = cross(t.e1, t.e2);
+  assign(t.e1, b.e1);
+  assign(t.e2, b.e2);
+  assign(normal, b.normal);
+  b.from_plane = dot(normal, t.x);
+  const Powers<V> p = from.powers(splat<V>(rim.ball.radius_sq));
+  b.around.power[0] = p.first, b.around.power[1] = p.second, b.around.power[2] = p.third;
+  b.around.rise[0] = p.to_second, b.around.rise[1] = p.to_third - p.to_second, b.around.rise[2] = -p.to_third;
+}
 
-  const Turn<M> turn(in0, in1, in2);
-  const auto corner = corner_piece<Real, kMoments, M>(turned(a, turn), d, longest_sq, radius_sq);
-  const M good = rim.query.all_careful ? (cut & ~cut) : (cut & corner.good);
-  const Piece<V> part = turned_back(corner.piece, turn);
-  const Piece<V> piece = {select(good, part.share, select(all, one, zero)), select(good, part.m1, zero),
-                          select(good, part.m2, zero)};
-  const std::uint32_t* const names = rim.ball.waiting.triangle + first;
-  count_measured(rim.ball, longest_sq, good);
-  rim.ball.faces += static_cast<unsigned>(__builtin_popcount(bits(all)));
-  M other = cut & ~good;
-  const M outside = valid & ~any;
-  if (bits(outside)) other = other | (outside & may_reach<Real, M>(a, d, margin_of(longest_sq, rim.ball.radius)));
+/// `count`: lanes that hold a triangle.
+template <class Real, class V>
+[[gnu::always_inline]] inline void tell(const Rim<Real>& rim, int count, Batch<V>& b) {
+  const V zero = splat<V>(0), one = splat<V>(1), radius_sq = splat<V>(rim.ball.radius_sq);
+  const Vector3<V> e3 = b.e2 - b.e1;
+  const V e11 = dot(b.e1, b.e1), e33 = dot(e3, e3), e22 = dot(b.e2, b.e2);
+  b.around.edge_sq[0] = e11, b.around.edge_sq[1] = e33, b.around.edge_sq[2] = e22;
+  b.longest_sq = max(e11, max(e33, e22));
+  const V normal_sq = dot(b.normal, b.normal), disc_sq = radius_sq * normal_sq - b.from_plane * b.from_plane;
+  b.disc.normal_sq = normal_sq;
+  b.disc.disc_sq = disc_sq;
+  b.disc.over_disc_sq = one / disc_sq;
+  const auto in0 = b.around.power[0] <= zero, in1 = b.around.power[1] <= zero, in2 = b.around.power[2] <= zero;
+  const auto valid = first_lanes(zero, count), all = in0 & in1 & in2 & valid, any = (in0 | in1 | in2) & valid;
+  b.all = all;
+  b.cut = any & ~all;
+  b.outside = valid & ~any;
+  const Turn<decltype(in0)> turn(in0, in1, in2);
+  b.turn.second = turn.second;
+  b.turn.third = turn.third;
+}
+
+template <class Real, bool kMoments, class V>
+[[gnu::always_inline]] inline void measure(const Rim<Real>& rim, Batch<V>& b) {
+  const V zero = splat<V>(0), one = splat<V>(1);
+  const auto good = rim.query.all_careful ? (b.cut & ~b.cut) : (b.cut & b.corner.good);
+  const Piece<V> part = turned_back(corner_piece<Real, kMoments>(b.corner, b.disc), b.turn);
+  b.piece.share = select(good, part.share, select(b.all, one, zero));
+  b.piece.m1 = select(good, part.m1, zero);
+  b.piece.m2 = select(good, part.m2, zero);
+  b.corner.good = good;
+}
+
+/// Counts what was measured, and hands on what was not.
+template <bool kMoments, class Real, class V>
+[[gnu::always_inline]] inline void account(const Rim<Real>& rim, int first, const Batch<V>& b) {
+  using M = decltype(V{} < V{});
+  count_measured(rim.ball, b.longest_sq, b.corner.good);
+  rim.ball.faces += static_cast<unsigned>(__builtin_popcount(bits(b.all)));
+  M other = b.cut & ~b.corner.good;
+  if (bits(b.outside))
+    other = other | (b.outside & may_reach<Real, M>(b.around, b.disc, margin_of(b.longest_sq, rim.ball.radius)));
   if (const unsigned rest = bits(other)) hand_on<kMoments>(rim, first, rest);
-  add_pieces(rim, names, from.normals(), t, normal, normal_sq, piece);
+}
+
+/// Adds the first `count` of the triangles that wait.
+template <bool kMoments, class Real>
+[[gnu::always_inline]] inline void add_first(const Rim<Real>& rim, int count) {
+  using V = Vector<Real>;
+  constexpr int kLanes = Lanes<Real>::kCount;
+  const V radius_sq = splat<V>(rim.ball.radius_sq);
+  const auto& waiting = rim.ball.waiting;
+  Batch<V> batches[Names::kPlaces / kLanes];
+  const auto each = [&](const auto& step) __attribute__((always_inline)) {
+    for (int first = 0; first < count; first += kLanes) step(first, batches[first / kLanes]);
+  };
+  each([&](int first, Batch<V>& b) { place(rim, first, b); });
+  each([&](int first, Batch<V>& b) { tell(rim, count - first, b); });
+  each([&](int, Batch<V>& b) { cross_edges<Real>(turned(b.around, b.turn), b.corner); });
+  each([&](int, Batch<V>& b) { find_chord<Real>(b.disc, b.longest_sq, radius_sq, b.corner); });
+  each([&](int, Batch<V>& b) { measure<Real, kMoments>(rim, b); });
+  if (const double* const beside = rim.triangles.beside)
+    each([&](int first, Batch<V>& b) { add_beside(beside, waiting.triangle + first, b.piece.share, rim.ball); });
+  if (const double* const weights = rim.triangles.weights)
+    each([&](int first, Batch<V>& b) { weigh(weights, waiting.triangle + first, b.piece); });
+  each([&](int first, Batch<V>& b) {
+    account<kMoments>(rim, first, b);
+    add_densities(normals_from(rim, waiting, first), b.e1, b.e2, b.normal, b.disc.normal_sq, b.piece, rim.ball);
+  });
 }
 
 /// Adds all that waits.
 template <bool kMoments, class Real>
 [[gnu::noinline]] void add_all_waiting(const Rim<Real>& rim) {
-  const int end = rim.ball.waiting.count;
-  for (int first = 0; first < end; first += Lanes<Real>::kCount) add_lanes_from<kMoments>(rim, first, end);
+  add_first<kMoments>(rim, rim.ball.waiting.count);
   rim.ball.waiting.count = 0;
   add_irregular<kMoments>(rim);
 }
@@ -149,7 +217,7 @@ template <bool kMoments, class Real>
 /// Adds kRim of those that wait, and leaves the others, fewer than kWidth.
 template <bool kMoments, class Real>
 [[gnu::noinline]] void add_most(const Rim<Real>& rim) {
-  for (int first = 0; first < kRim; first += Lanes<Real>::kCount) add_lanes_from<kMoments>(rim, first, kRim);
+  add_first<kMoments>(rim, kRim);
   move_down(rim.ball.waiting);
 }
 

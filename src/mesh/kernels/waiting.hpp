@@ -75,7 +75,7 @@ template <>
 class InLanes<double> {
  public:
   [[gnu::always_inline]] InLanes(const Rim<double>& rim, const Names& from, int first)
-      : four_(rim.triangles, from.triangle + first), x_(four_.corners(rim.query.centre)) {}
+      : x_(FourOfMesh(rim.triangles, from.triangle + first).corners(rim.query.centre)) {}
   [[gnu::always_inline]] const Corners<VD>& corners() const { return x_; }
   [[gnu::always_inline]] Placed<VD> placed() const { return {x_.x0, x_.x1 - x_.x0, x_.x2 - x_.x0}; }
   [[gnu::always_inline]] Powers<VD> powers(VD radius_sq) const {
@@ -83,30 +83,35 @@ class InLanes<double> {
     const VD second = dot(x_.x1, x_.x1) - radius_sq, third = dot(x_.x2, x_.x2) - radius_sq;
     return {first, second, third, second - first, third - first};
   }
-  [[gnu::always_inline]] Fan<VD> normals() const { return four_.normals(); }
 
  private:
-  FourOfMesh four_;
   Corners<VD> x_;
 };
 template <>
 class InLanes<float> {
  public:
   [[gnu::always_inline]] InLanes(const Rim<float>&, const Waiting<float>& from, int first) : w_(from), first_(first) {}
-  [[gnu::always_inline]] Placed<VF> placed() const { return {at(w_.x), at(w_.e1), at(w_.e2)}; }
+  [[gnu::always_inline]] Placed<VF> placed() const {
+    return {rows_of(w_.x, first_), rows_of(w_.e1, first_), rows_of(w_.e2, first_)};
+  }
   [[gnu::always_inline]] Powers<VF> powers(VF) const {
     const VF first = load<VF>(w_.power + first_), to_second = load<VF>(w_.to_second + first_);
     const VF to_third = load<VF>(w_.to_third + first_);
     return {first, first + to_second, first + to_third, to_second, to_third};
   }
-  [[gnu::always_inline]] Fan<VF> normals() const { return {at(w_.u), at(w_.d1), at(w_.d2)}; }
 
  private:
-  [[gnu::always_inline]] Vector3<VF> at(const float (&rows)[3][Names::kPlaces]) const { return rows_of(rows, first_); }
-
   const Waiting<float>& w_;
   int first_;
 };
+
+/// Their normals.
+[[gnu::always_inline]] inline Fan<VD> normals_from(const Rim<double>& rim, const Names& names, int first) {
+  return FourOfMesh(rim.triangles, names.triangle + first).normals();
+}
+[[gnu::always_inline]] inline Fan<VF> normals_from(const Rim<float>&, const Waiting<float>& w, int first) {
+  return {rows_of(w.u, first), rows_of(w.d1, first), rows_of(w.d2, first)};
+}
 
 /// Four triangles that take the general form.
 class WidenedInLanes {
@@ -117,12 +122,9 @@ class WidenedInLanes {
     return {x, x + at(w_.e1), x + at(w_.e2)};
   }
   Placed<VD> placed() const { return {at(w_.x), at(w_.e1), at(w_.e2)}; }
-  Fan<VD> normals() const { return {at(w_.u), at(w_.d1), at(w_.d2)}; }
 
  private:
-  Vector3<VD> at(const double (*rows)[Names::kPlaces]) const {
-    return {load<VD>(rows[0] + first_), load<VD>(rows[1] + first_), load<VD>(rows[2] + first_)};
-  }
+  Vector3<VD> at(const double (&rows)[3][Names::kPlaces]) const { return rows_of(rows, first_); }
 
   const Irregular<float>& w_;
   int first_;
@@ -132,6 +134,9 @@ inline InLanes<double> four_irregular(const Rim<double>& rim, int first) {
 }
 inline WidenedInLanes four_irregular(const Rim<float>& rim, int first) {
   return {rim.ball.irregular, first};
+}
+inline Fan<VD> normals_from(const Rim<float>&, const Irregular<float>& w, int first) {
+  return {rows_of(w.u, first), rows_of(w.d1, first), rows_of(w.d2, first)};
 }
 
 /// Lets the triangle at a place of those that wait take the general form.
