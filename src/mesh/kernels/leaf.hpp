@@ -106,19 +106,29 @@ inline MF beyond_plane(const Leaf<Real>& leaf, const Met& m, VF reach_sq) {
   return (least_along > spread(0.0F)) & (least_along * least_along > reach_sq * way_sq);
 }
 
+/// What of a leaf is certainly inside a ball, what waits to be measured, and what waits unless a plane keeps it out.
+struct Found {
+  unsigned inside, near, perhaps;
+  float reach_sq;  ///< of the ball, with what distances may be off by
+};
+
 /// Triangles with a corner within the square root of `reach_sq`, and those without that may reach into the ball. A
 /// point with barycentric coordinates b_i is at |x|^2 = sum b_i |x_i|^2 - sum b_i b_j |x_i - x_j|^2: nearer than the
 /// nearest corner by at most a third of the longest edge squared. `reach_sq`: squared radius with what the distances
 /// may be off by.
 template <class Real>
-[[gnu::always_inline]] inline unsigned near(const Leaf<Real>& leaf, const Met& m, double reach_sq) {
+[[gnu::always_inline]] inline Found find_near(const Leaf<Real>& leaf, const Met& m, double reach_sq) {
   constexpr double kOut = 1 + 4e-6;  // for the roundings of floats
   const VF nearest = least(m);
-  const unsigned in = bits(nearest <= spread(static_cast<float>(reach_sq - m.base)));
-  const double bound = reach_sq * kOut - m.base + static_cast<double>(leaf.third_of_longest_sq);
-  const unsigned outside = bits(nearest <= spread(static_cast<float>(bound))) & ~in;
-  if (!outside) return in;
-  return in | (outside & ~bits(beyond_plane(leaf, m, spread(static_cast<float>(reach_sq * kOut)))));
+  const double out_sq = reach_sq * kOut, bound = out_sq - m.base + static_cast<double>(leaf.third_of_longest_sq);
+  const unsigned near = bits(nearest <= spread(static_cast<float>(reach_sq - m.base)));
+  return {0, near, bits(nearest <= spread(static_cast<float>(bound))) & ~near, static_cast<float>(out_sq)};
+}
+
+/// Decides on those that are perhaps near.
+template <class Real>
+[[gnu::always_inline]] inline void settle(const Leaf<Real>& leaf, const Met& m, Found& found) {
+  found.near |= found.perhaps & ~bits(beyond_plane(leaf, m, spread(found.reach_sq)));
 }
 
 /// Lets the triangles in the lanes of `mask` wait.
@@ -140,15 +150,9 @@ template <class Real>
   let_wait(w, packed, names, mask);
 }
 
-/// Adds the triangles of a leaf to one ball. Places without a triangle are infinitely far.
-template <bool kMoments>
-[[gnu::always_inline]] inline void add_to_ball(const Rim<float>& rim, const Leaf<float>& leaf, const Met& m, VF names,
-                                               std::size_t) {
-  const double radius_sq = rim.ball.radius_sq;
-  const unsigned mask = near(leaf, m, radius_sq);
-  if (!mask) return;
-  let_wait(rim.ball.waiting, leaf, m, names, spread(static_cast<float>(radius_sq - m.base)), mask);
-  make_room<kMoments>(rim);
+/// What a leaf has for a ball. Places without a triangle are infinitely far.
+[[gnu::always_inline]] inline Found look(const Rim<float>& rim, const Leaf<float>& leaf, const Met& m, std::size_t) {
+  return find_near(leaf, m, rim.ball.radius_sq);
 }
 
 /// What the squared distance of a corner may be off by where it is about that of the radius, in steps: a corner is off
@@ -159,20 +163,83 @@ inline double doubt(double radius) {
 
 /// Those that are certainly inside have their measures; any doubt is left to the corners of the mesh. `count`:
 /// triangles from the first of the leaf on.
-template <bool kMoments>
-[[gnu::always_inline]] inline void add_to_ball(const Rim<double>& rim, const Leaf<double>& leaf, const Met& m, VF names,
-                                               std::size_t count) {
+[[gnu::always_inline]] inline Found look(const Rim<double>& rim, const Leaf<double>& leaf, const Met& m,
+                                         std::size_t count) {
   const double radius = rim.ball.radius * rim.ball.to_tree * unit_of(leaf), radius_sq = radius * radius;
   const double off = doubt(radius);
   const VF low = spread(static_cast<float>(radius_sq - m.base - off));
   const VF farthest = max(m.distance_sq[0], max(m.distance_sq[1], m.distance_sq[2]));
   const unsigned present = count < kWidth ? (1U << count) - 1 : 255, inside = bits(farthest <= low) & present;
-  const unsigned mask = near(leaf, m, radius_sq + off) & present & ~inside;
-  let_inside_wait(rim, names, inside);
-  if (!mask) return;
-  let_wait(rim.ball.waiting, Compression<VF>(mask), names, mask);
+  Found found = find_near(leaf, m, radius_sq + off);
+  const unsigned others = present & ~inside;
+  found.inside = inside;
+  found.near &= others;
+  found.perhaps &= others;
+  return found;
+}
+
+/// Lets what was found wait.
+template <bool kMoments>
+[[gnu::always_inline]] inline void take(const Rim<float>& rim, const Leaf<float>& leaf, const Met& m, VF names,
+                                        const Found& found) {
+  if (!found.near) return;
+  const VF bound = spread(static_cast<float>(rim.ball.radius_sq - m.base));
+  let_wait(rim.ball.waiting, leaf, m, names, bound, found.near);
   make_room<kMoments>(rim);
 }
+template <bool kMoments>
+[[gnu::always_inline]] inline void take(const Rim<double>& rim, const Leaf<double>&, const Met&, VF names,
+                                        const Found& found) {
+  let_inside_wait(rim, names, found.inside);
+  let_wait(rim.ball.waiting, Compression<VF>(found.near), names, found.near);
+  make_room<kMoments>(rim);
+}
+
+/// Leaves, step by step as batches on the rim: what is not to be foreseen, whether any triangle of a leaf is perhaps
+/// near, is told when nothing waits for it any more.
+template <class Real, bool kMoments>
+class Leaves {
+ public:
+  static constexpr int kTogether = 16;
+
+  Leaves(const TreeView<Real>& tree, const double* centre) : tree_(tree), centre_(centre) {}
+
+  /// Adds `count` leaves, at most kTogether, to one ball.
+  void add(const Rim<Real>& rim, const std::uint32_t* leaves, int count) const {
+    Met met[kTogether];
+    Found found[kTogether];
+    int open[kTogether], opened = 0;
+    for (int i = 0; i < count; ++i) {
+      meet(tree_.leaves[leaves[i]], centre_, met[i]);
+      found[i] = look(rim, tree_.leaves[leaves[i]], met[i], left_from(leaves[i]));
+      open[opened] = i;
+      opened += found[i].perhaps != 0;
+    }
+    for (int k = 0; k < opened; ++k) settle(tree_.leaves[leaves[open[k]]], met[open[k]], found[open[k]]);
+    for (int i = 0; i < count; ++i) take<kMoments>(rim, tree_.leaves[leaves[i]], met[i], names_of(leaves[i]), found[i]);
+  }
+
+  /// Adds a leaf to one ball after the other, `rim_of(number)` for each.
+  template <class RimOf>
+  void add(const RimOf& rim_of, std::uint32_t number, const Range& radii) const {
+    const Leaf<Real>& leaf = tree_.leaves[number];
+    Met m;
+    meet(leaf, centre_, m);
+    for (int radius = radii.first; radius < radii.last; ++radius) {
+      const Rim<Real> rim = rim_of(radius);
+      Found found = look(rim, leaf, m, left_from(number));
+      if (found.perhaps) settle(leaf, m, found);
+      take<kMoments>(rim, leaf, m, names_of(number), found);
+    }
+  }
+
+ private:
+  static VF names_of(std::uint32_t leaf) { return numbers_from(kWidth * leaf); }
+  std::size_t left_from(std::uint32_t leaf) const { return tree_.triangles.count - std::size_t{kWidth} * leaf; }
+
+  const TreeView<Real>& tree_;
+  const double* centre_;
+};
 
 }  // namespace
 }  // namespace kappa::kernels

@@ -200,7 +200,7 @@ template <bool kMoments, class Real>
     each([&](int first, Batch<V>& b) { add_beside(beside, waiting.triangle + first, b.piece.share, rim.ball); });
   if (const double* const weights = rim.triangles.weights)
     each([&](int first, Batch<V>& b) { weigh(weights, waiting.triangle + first, b.piece); });
-  each([&](int first, Batch<V>& b) {
+  each([&](int first, Batch<V>& b) __attribute__((always_inline)) {
     account<kMoments>(rim, first, b);
     add_densities(normals_from(rim, waiting, first), b.e1, b.e2, b.normal, b.disc.normal_sq, b.piece, rim.ball);
   });

@@ -31,7 +31,12 @@ template <class Real, bool kMoments>
 class Walk {
  public:
   Walk(const TreeView<Real>& tree, const BallQuery<Real>& query, const Visits& visits)
-      : tree_(tree), query_(query), visits_(visits), place_(tree.nodes, query.centre), level_(visits.start.level) {
+      : tree_(tree),
+        query_(query),
+        visits_(visits),
+        place_(tree.nodes, query.centre),
+        leaves_(tree, place_.at),
+        level_(visits.start.level) {
     for (int axis = 0; axis < 3; ++axis) at_[axis] = static_cast<float>(place_.at[axis]);
     for (int i = 0; i < query.count; ++i) {
       Gathering<Real>& ball = query.balls[i];
@@ -60,9 +65,13 @@ class Walk {
       }
       finish_level();
     }
-    for (std::size_t i = 0; i < found_; ++i) {
-      prefetch_leaf(visits_.nodes[now_][i + (i + kAhead < found_ ? kAhead : 0)]);
-      add_leaf(visits_.nodes[now_][i], kMany ? visits_.ranges[now_][i] : all);
+    if (kMany) {
+      for (std::size_t i = 0; i < found_; ++i) {
+        prefetch_leaf(visits_.nodes[now_][i + (i + kAhead < found_ ? kAhead : 0)]);
+        leaves_.add([&](int radius) { return rim_of(radius); }, visits_.nodes[now_][i], visits_.ranges[now_][i]);
+      }
+    } else {
+      add_leaves(visits_.nodes[now_], static_cast<int>(found_));
     }
   }
 
@@ -139,14 +148,15 @@ class Walk {
     for (int radius = 0; radius < query_.count; ++radius) add_waiting(query_.balls[radius], sums());
   }
 
-  void add_leaf(std::uint32_t leaf, const Range& radii) const {
-    Met m;
-    meet(tree_.leaves[leaf], place_.at, m);
-    const VF names = numbers_from(kWidth * leaf);
-    const std::size_t left = tree_.triangles.count - std::size_t{kWidth} * leaf;
-    for (int radius = radii.first; radius < radii.last; ++radius) {
-      const Rim<Real> rim = {tree_.triangles, query_, radius, query_.balls[radius]};
-      add_to_ball<kMoments>(rim, tree_.leaves[leaf], m, names, left);
+  Rim<Real> rim_of(int radius) const { return {tree_.triangles, query_, radius, query_.balls[radius]}; }
+
+  void add_leaves(const std::uint32_t* leaves, int count) const {
+    constexpr int kTogether = Leaves<Real, kMoments>::kTogether;
+    const Rim<Real> rim = rim_of(0);
+    for (int first = 0; first < count; first += kTogether) {
+      const int end = first + kTogether < count ? first + kTogether : count;
+      for (int next = end; next < end + kTogether && next < count; ++next) prefetch_leaf(leaves[next]);
+      leaves_.add(rim, leaves + first, end - first);
     }
   }
 
@@ -154,6 +164,7 @@ class Walk {
   const BallQuery<Real>& query_;
   const Visits& visits_;
   Place place_;
+  Leaves<Real, kMoments> leaves_;
   float at_[3];
   int level_;              ///< of the nodes that are looked at
   int now_ = 0;            ///< which list they are found in
