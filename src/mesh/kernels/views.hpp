@@ -120,15 +120,15 @@ struct Irregular : Names {};
 /// Those of leaves of floats: corners relative to the centre, and what their normals are, as they wait. The mesh is far
 /// from where a walk goes.
 template <>
-struct alignas(32) Irregular<float> : Names {
-  double x[3][kPlaces], e1[3][kPlaces], e2[3][kPlaces];
+struct Irregular<float> : Names {
+  alignas(32) double x[3][kPlaces], e1[3][kPlaces], e2[3][kPlaces];
   double u[3][kPlaces], d1[3][kPlaces], d2[3][kPlaces];
 };
 
 /// Triangles of leaves of floats near the sphere, as they stand there but relative to the centre.
 template <>
-struct alignas(32) Waiting<float> : Names {
-  float x[3][kPlaces], e1[3][kPlaces], e2[3][kPlaces];
+struct Waiting<float> : Names {
+  alignas(32) float x[3][kPlaces], e1[3][kPlaces], e2[3][kPlaces];
   float u[3][kPlaces], d1[3][kPlaces], d2[3][kPlaces];
   float power[kPlaces];                         ///< |first corner|^2 - radius^2
   float to_second[kPlaces], to_third[kPlaces];  ///< by how much that of the other corners is more
