@@ -132,6 +132,18 @@ void refine_table() {
   std::printf("\n");
 }
 
+void polygons_table() {
+  std::printf("\n## Curved refinement of polygons\n\n");
+  print_head("surface, exact normals");
+  const Subject nets = goursat_nets(0.5), quads = torus_of_quads(60), hexagons = joined(quads);
+  print_refined("Goursat h = 0.5, surface nets, triangles", nets, 1, 3);
+  print_refined("Goursat h = 0.5, surface nets, quads", joined(nets), 1, 3);
+  print_refined("torus 60 x 60, triangles", torus(60), 0.5, 3);
+  print_refined("torus 60 x 60, quads", quads, 0.5, 3);
+  print_refined("torus 60 x 60, hexagons of two quads", hexagons, 0.5, 3);
+  print_refined("torus 60 x 60, pentagons and triangles of two quads", trimmed(hexagons), 0.5, 3);
+}
+
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -247,6 +259,7 @@ int main(int argc, char** argv) {
                        {"orders", orders_table},
                        {"clouds", clouds_table},
                        {"refine", refine_table},
+                       {"polygons", polygons_table},
                        {"cost", cost_table},
                        {"scale", scale_table}});
 }

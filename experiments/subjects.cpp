@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kappa/core/error.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/search/cloud_normals.hpp"
 #include "kappa/shapes/noise.hpp"
@@ -45,6 +46,21 @@ Subject with_mesh_noise(Scan scan, double amount, int passes, std::uint64_t seed
   return s;
 }
 
+/// The corners of `a` and then those of `b` around them.
+std::vector<Index> join(const Faces::View& a, const Faces::View& b) {
+  const auto at = [](const Faces::View& face, std::size_t i) { return face[i % face.size()]; };
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (at(a, i) != at(b, j + 1) || at(a, i + 1) != at(b, j)) continue;
+      std::vector<Index> corners;
+      for (std::size_t k = 1; k <= a.size(); ++k) corners.push_back(at(a, i + k));
+      for (std::size_t k = 2; k < b.size(); ++k) corners.push_back(at(b, j + k));
+      return corners;
+    }
+  }
+  throw Error{ErrorCode::InvalidArgument, "two faces share no edge: give faces that follow their neighbours"};
+}
+
 }  // namespace
 
 Subject torus(int n) {
@@ -59,6 +75,40 @@ Subject goursat(double h) {
   GoursatOptions options;
   options.step = h;
   return subject_of(kappa::goursat(options));
+}
+
+Subject goursat_nets(double h) {
+  GoursatOptions options;
+  options.step = h;
+  options.extraction = Extraction::SurfaceNets;
+  return subject_of(kappa::goursat(options));
+}
+
+Subject torus_of_quads(int n) {
+  TorusOptions options;
+  options.slices = options.sides = n;
+  options.faces = GridFaces::Quads;
+  return subject_of(torus(options));
+}
+
+Subject joined(Subject s) {
+  Faces faces;
+  for (std::size_t f = 0; f + 1 < s.mesh.faces.size(); f += 2) faces.add(join(s.mesh.faces[f], s.mesh.faces[f + 1]));
+  s.mesh.faces = faces;
+  return s;
+}
+
+Subject trimmed(Subject s) {
+  Faces faces;
+  for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
+    const Faces::View face = s.mesh.faces[f];
+    std::vector<Index> rest(face.begin(), face.end());
+    rest.erase(rest.begin() + 1);
+    faces.add(rest);
+    faces.add(face[0], face[1], face[2]);
+  }
+  s.mesh.faces = faces;
+  return s;
 }
 
 Subject noisy_goursat(double h, double amount, int passes, std::uint64_t seed) {

@@ -26,6 +26,18 @@ Subject noisy_torus(int n, double amount, int passes, std::uint64_t seed = 1);
 /// Goursat's surface by marching cubes of step h with its true normals.
 Subject goursat(double h);
 
+/// The same by surface nets.
+Subject goursat_nets(double h);
+
+/// The torus of quads.
+Subject torus_of_quads(int n);
+
+/// Faces 2 i and 2 i + 1 joined along the edge that they share.
+Subject joined(Subject s);
+
+/// Every face without its second corner, and the triangle that is cut off with it.
+Subject trimmed(Subject s);
+
 /// Noise as of the torus on Goursat's surface by marching cubes of step h.
 Subject noisy_goursat(double h, double amount, int passes, std::uint64_t seed = 1);
 

@@ -2,6 +2,7 @@
 #include "edge_curve.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -138,17 +139,22 @@ CurvePoint curved_point(const CurvePoint& a, const CurvePoint& b, const Place& a
   return m;
 }
 
+using Join = CurvePoint (*)(const CurvePoint&, const CurvePoint&, const Place&);
+
 /// Middles may lie as near to each other as they are off: how the normal turns from one to the other tells no
-/// curvature.
-CurvePoint middle_of_middles(const CurvePoint& a, const CurvePoint& b) {
-  CurvePoint m = curved_point(a, b, kMiddle);
-  m.shape = mean_shape(a, b, kMiddle.t, m.u);
+/// curvature, and the way between them says nothing about the normal.
+CurvePoint between_middles(const CurvePoint& a, const CurvePoint& b, const Place& at) {
+  CurvePoint m = curved_point(a, b, at);
+  if (!m.shape.allFinite()) m.u = straight_point(a, b, at.t).u;
+  m.shape = mean_shape(a, b, at.t, m.u);
   return m;
 }
 
+CurvePoint centre_of(std::vector<CurvePoint> corners, Join join);
+
 /// Of an odd number, the mean of the points that lie a share of the way from the middle of the others to a corner; of
 /// many, to three of them, since the number of middles of middles would explode.
-CurvePoint odd_centre(const std::vector<CurvePoint>& corners) {
+CurvePoint odd_centre(const std::vector<CurvePoint>& corners, Join join) {
   constexpr std::size_t kMany = 10;
   const std::size_t count = corners.size(), step = count < kMany ? 1 : (count + 2) / 3;
   const double terms = count < kMany ? static_cast<double>(count) : 3;
@@ -157,7 +163,7 @@ CurvePoint odd_centre(const std::vector<CurvePoint>& corners) {
   for (std::size_t i = 0; i < count; i += step) {
     std::vector<CurvePoint> others;
     for (std::size_t j = 1; j < count; ++j) others.push_back(corners[(i + j) % count]);
-    const CurvePoint m = curved_point(curved_centre(std::move(others)), corners[i], at);
+    const CurvePoint m = join(centre_of(std::move(others), join), corners[i], at);
     mean.x += m.x / terms;
     mean.u += m.u;
     mean.shape += m.shape / terms;
@@ -168,6 +174,15 @@ CurvePoint odd_centre(const std::vector<CurvePoint>& corners) {
   return mean;
 }
 
+CurvePoint centre_of(std::vector<CurvePoint> corners, Join join) {
+  for (; corners.size() % 2 == 0; join = between_middles) {
+    const std::size_t half = corners.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) corners[i] = join(corners[i], corners[half + i], kMiddle);
+    corners.resize(half);
+  }
+  return corners.size() == 1 ? corners.front() : odd_centre(corners, join);
+}
+
 }  // namespace
 
 CurvePoint curved_midpoint(const CurvePoint& a, const CurvePoint& b) {
@@ -175,12 +190,7 @@ CurvePoint curved_midpoint(const CurvePoint& a, const CurvePoint& b) {
 }
 
 CurvePoint curved_centre(std::vector<CurvePoint> corners) {
-  for (auto* join = curved_midpoint; corners.size() % 2 == 0; join = middle_of_middles) {
-    const std::size_t half = corners.size() / 2;
-    for (std::size_t i = 0; i < half; ++i) corners[i] = join(corners[i], corners[half + i]);
-    corners.resize(half);
-  }
-  return corners.size() == 1 ? corners.front() : odd_centre(corners);
+  return centre_of(std::move(corners), curved_point);
 }
 
 }  // namespace kappa

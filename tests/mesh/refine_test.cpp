@@ -171,6 +171,27 @@ TEST(Refine, MiddlesOfPolygonsAreOfFourthOrder) {
   }
 }
 
+/// Middles of diagonals may nearly meet, one above the other: the way between them is no edge of the surface.
+TEST(Refine, MiddlesOfPolygonsWithoutShapeOperatorsAreOfSecondOrder) {
+  for (const int corners : {4, 5, 6}) {
+    Offsets before;
+    for (const int n : {64, 128}) {
+      const Shape s = torus_of_polygons(n, corners);
+      const ShapeOperators unknown(s.normals.size(), Mat3::Constant(kNaN));
+      MeasuredTriangles t = measure_refined(s.mesh, s.normals, unknown, 1);
+      t.x.resize(t.vertices + s.mesh.faces.size() / (corners == 5 ? 2 : 1));
+      const Offsets off = offsets_from_torus(t);
+      if (before.points > 0) {
+        EXPECT_GT(before.points / off.points, 3.5) << corners;
+        EXPECT_GT(before.normals / off.normals, 3.5) << corners;
+      }
+      before = off;
+    }
+    EXPECT_LT(before.points, 1e-3) << corners;
+    EXPECT_LT(before.normals, 1e-2) << corners;
+  }
+}
+
 TEST(Refine, MiddlesOfFlatPolygonsAreTheMeansOfTheirCorners) {
   for (const std::size_t count : {4, 5, 7, 9, 11, 13, 62, 1023}) {
     Mesh mesh;
