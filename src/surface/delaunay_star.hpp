@@ -40,9 +40,12 @@ class DelaunayStar {
     int bisector;
   };
   void clip(const Vec2& normal, double offset, int bisector);
+  void make_room(std::size_t corners);
 
-  std::vector<Corner> cell_, clipped_;
-  std::vector<double> distances_;  ///< of the corners from the last bisector
+  std::vector<Corner> cell_, clipped_;  ///< with room for more
+  std::size_t corners_ = 0;             ///< of the cell
+  double radius_sq_ = 0;                ///< of the cell
+  std::vector<double> distances_;       ///< of the corners from the last bisector
   std::vector<std::pair<int, int>> triangles_;
   double cell_radius_ = 0;
 };

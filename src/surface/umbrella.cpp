@@ -29,7 +29,11 @@ class Stars {
     const Edge* begin() const { return first; }
     const Edge* end() const { return last; }
     bool empty() const { return first == last; }
-    bool contains(Index a, Index b) const { return std::find(first, last, Edge(a, b)) != last; }
+    bool contains(Index a, Index b) const {
+      bool found = false;
+      for (const Edge* e = first; e != last; ++e) found |= (e->first == a) & (e->second == b);
+      return found;
+    }
   };
 
   explicit Stars(std::size_t points) : blocks_((points + kBlock - 1) / kBlock), end_(points) {}
@@ -111,7 +115,6 @@ class StarMaker {
     found_.assign(first, first + near_.k);
     if (found_.size() < 3) return star_;
     tangent_basis(normals_[positions_.original[i]].normalized(), t1_, t2_);
-    neighbours_.clear();
     project_from(0, i);
     const auto* triangles = &delaunay_.compute(neighbours_, near_.weights[i], reach);
     if (2 * delaunay_.cell_radius() > reach) {
@@ -135,11 +138,12 @@ class StarMaker {
     }
   }
 
-  /// Adds to neighbours_ the found_ points from `first` on, in the tangent plane of `i`.
+  /// Sets neighbours_ to the found_ points, from `first` on, in the tangent plane of `i`.
   void project_from(std::size_t first, std::size_t i) {
+    neighbours_.resize(found_.size());
     for (std::size_t n = first; n < found_.size(); ++n) {
       const Vec3 d = positions_.x[found_[n]] - positions_.x[i];
-      neighbours_.push_back({Vec2(t1_.dot(d), t2_.dot(d)), near_.weights[found_[n]]});
+      neighbours_[n] = {Vec2(t1_.dot(d), t2_.dot(d)), near_.weights[found_[n]]};
     }
   }
 
@@ -190,9 +194,12 @@ std::optional<Positions> with_normals(const Positions& positions, const Normals&
 
 /// How many stars hold the triangle (p, a, b) of the star of `p`; 0 where the star of a lower corner has it too.
 std::uint8_t share_of(const Stars& stars, Index p, Index a, Index b) {
-  const bool in_a = stars[a].contains(b, p), in_b = stars[b].contains(p, a);
-  if ((in_a && a < p) || (in_b && b < p)) return 0;
-  return static_cast<std::uint8_t>(1 + int{in_a} + int{in_b});
+  const bool a_first = a < b;  // where that star has it, the other one need not be looked at
+  const bool in_lower = a_first ? stars[a].contains(b, p) : stars[b].contains(p, a);
+  if (in_lower && std::min(a, b) < p) return 0;
+  const bool in_higher = a_first ? stars[b].contains(p, a) : stars[a].contains(b, p);
+  if (in_higher && std::max(a, b) < p) return 0;
+  return static_cast<std::uint8_t>(1 + int{in_lower} + int{in_higher});
 }
 
 /// share_of every triangle of every star, by blocks of points.
