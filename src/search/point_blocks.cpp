@@ -277,7 +277,7 @@ bool NearestInRuns::find_in_reach(const Vec3& centre, double reach, PointBlocks:
   if (work.blocks.size() > kMostBlocks * k_) return false;
   const std::size_t count = blocks_.measure(centre, reach, work);
   if (count < k_ || count > kMostRanked + 2 * k_) return false;
-  ranks_.resize(count);
+  ranks_.resize(count + kBlockPoints);
   kernels::best_point_table().rank(work.distances_sq.data(), count, ranks_.data());
   indices_.assign(k_, kNoIndex);
   distances_sq_.resize(k_);

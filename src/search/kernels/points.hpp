@@ -64,7 +64,6 @@ inline std::size_t select_points(const ChosenBlocks& from, const double* centre,
                                  const PointColumns& to) {
   std::size_t count = 0;
   for_each_four(from, centre, radius_sq, [&](unsigned inside, const Vector3<VD>& d, const VD&, std::size_t) {
-    if (inside == 0) return;
     const Compression<VD> compressed(inside);
     store(to.x + count, compressed(d.x));
     store(to.y + count, compressed(d.y));
@@ -79,7 +78,6 @@ inline std::size_t measure_points(const ChosenBlocks& from, const double* centre
   std::size_t count = 0;
   for_each_four(from, centre, radius_sq,
                 [&](unsigned inside, const Vector3<VD>&, const VD& distance_sq, std::size_t first) {
-                  if (inside == 0) return;
                   const Compression<VD> compressed(inside);
                   store(points + count, compressed(spread(static_cast<double>(first)) + VD{0, 1, 2, 3}));
                   store(distances_sq + count, compressed(distance_sq));
@@ -88,13 +86,13 @@ inline std::size_t measure_points(const ChosenBlocks& from, const double* centre
   return count;
 }
 
-inline void rank_values(double* values, std::size_t count, std::uint32_t* ranks) {
-  store(values + count, spread(__builtin_inf()));
-  for (std::size_t i = 0; i < count; ++i) {
-    const VD value = spread(values[i]);
+inline void rank_values(const double* values, std::size_t count, std::uint32_t* ranks) {
+  for (std::size_t i = 0; i < count; i += kStep) {
+    const VD four = load<VD>(values + i);
     MD smaller{};  // a lane of a comparison is -1 where it holds
-    for (std::size_t j = 0; j < count; j += kStep) smaller -= load<VD>(values + j) < value;
-    ranks[i] = static_cast<std::uint32_t>(smaller[0] + smaller[1] + smaller[2] + smaller[3]);
+    for (std::size_t j = 0; j < count; ++j) smaller -= spread(values[j]) < four;
+    for (int lane = 0; lane < static_cast<int>(kStep); ++lane)
+      ranks[i + lane] = static_cast<std::uint32_t>(smaller[lane]);
   }
 }
 

@@ -49,8 +49,8 @@ struct PointTable {
   /// The same by index, block times kBlockPoints plus place, as doubles, and squared distance.
   std::size_t (*measure)(const ChosenBlocks& from, const double* centre, double radius_sq, double* points,
                          double* distances_sq);
-  /// For every value how many of the others are smaller. `values` has room as PointColumns have.
-  void (*rank)(double* values, std::size_t count, std::uint32_t* ranks);
+  /// For every value how many of the others are smaller. Both have room as PointColumns have.
+  void (*rank)(const double* values, std::size_t count, std::uint32_t* ranks);
   /// Sums over points as kPlaneSums has them.
   void (*plane_sums)(const PointColumns& points, std::size_t count, double* sums);
   /// Turns points by a matrix, row by row, and sums over them as kQuadricSums has them.
