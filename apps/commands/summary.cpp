@@ -7,7 +7,6 @@
 
 #include "json.hpp"
 #include "kappa/mesh/refine.hpp"
-#include "kappa/mesh/statistics.hpp"
 
 namespace kappa::app {
 namespace {
@@ -73,7 +72,7 @@ FieldSummary::Percentiles percentiles_of_valid(const CurvatureField& field, Valu
   for (const CurvatureSample& s : field.samples) {
     if (s.k.status == PointStatus::Valid && !std::isnan(value(s))) values.push_back(value(s));
   }
-  return {percentile(values, 1), percentile(values, 50), percentile(values, 99)};
+  return percentiles(values);
 }
 
 FieldSummary::Percentiles errors_of(const CurvatureField& field) {

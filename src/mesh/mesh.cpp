@@ -114,16 +114,17 @@ void validate(const Mesh& mesh) {
 }
 
 double median_edge_length(const Mesh& mesh) {
-  std::vector<double> lengths;
-  lengths.reserve(mesh.faces.corners().size());
+  std::vector<double> lengths_sq;
+  lengths_sq.reserve(mesh.faces.corners().size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const Faces::View face = mesh.faces[f];
     for (std::size_t i = 0; i < face.size(); ++i) {
-      const double length = (mesh.vertices[face[(i + 1) % face.size()]] - mesh.vertices[face[i]]).norm();
-      if (std::isfinite(length) && length > 0) lengths.push_back(length);
+      const Index to = face[i + 1 < face.size() ? i + 1 : 0];
+      const double length_sq = (mesh.vertices[to] - mesh.vertices[face[i]]).squaredNorm();
+      if (std::isfinite(length_sq) && length_sq > 0) lengths_sq.push_back(length_sq);
     }
   }
-  return percentile(lengths, 50);
+  return std::sqrt(percentile(lengths_sq, 50));
 }
 
 }  // namespace kappa

@@ -134,7 +134,7 @@ NormalAgreement agreement_on_faces(const Mesh& mesh, const Normals& u) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto corners = mesh.faces[f];
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vec3 &a = u[corners[i]], &b = u[corners[(i + 1) % corners.size()]];
+      const Vec3 &a = u[corners[i]], &b = u[corners[i + 1 < corners.size() ? i + 1 : 0]];
       agreement.pairs += !a.isZero(0) && !b.isZero(0);
       agreement.opposed += a.dot(b) < -0.5;
     }

@@ -128,4 +128,7 @@ struct FieldSummary {
 };
 FieldSummary summarise(const CurvatureField& field);
 
+/// Of values as kappa::percentile takes them, which it reorders.
+FieldSummary::Percentiles percentiles(std::vector<double>& values);
+
 }  // namespace kappa
