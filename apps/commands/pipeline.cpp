@@ -143,6 +143,7 @@ Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, 
     MeasuredTriangles triangles = measure_faces(m.surface, arguments.measure, run);
     // The summary looks at the mesh again if it was refined.
     if (keep == Keep::Curvatures && arguments.measure.refine == 0) m.surface.mesh = {};
+    if (keep == Keep::Curvatures) m.surface.twins = {};
     return make_engine(std::move(triangles), arguments.measure);
   });
   m.has_faces = true;

@@ -9,15 +9,21 @@
 namespace kappa::app {
 namespace {
 
-/// Moves values[i] to values[to[i]] along the cycles of the permutation, without a copy of them all.
+/// Moves values[i] to values[to[i]] along the cycles of the permutation, without a copy of them all. The values come
+/// from all over the memory: they are asked for some steps ahead.
 template <class T>
 void scatter(std::vector<T>& values, const std::vector<Index>& to) {
   if (values.empty()) return;
+  constexpr int kAhead = 12;
   std::vector<bool> moved(to.size());
   for (std::size_t first = 0; first < to.size(); ++first) {
     if (moved[first]) continue;
     T carried = std::move(values[first]);
-    for (std::size_t at = to[first]; !moved[at]; at = to[at]) {
+    std::size_t ahead = first;
+    for (int i = 0; i < kAhead; ++i) ahead = to[ahead];
+    for (std::size_t at = to[first]; !moved[at]; at = to[at], ahead = to[ahead]) {
+      for (std::size_t byte = 0; byte < sizeof(T); byte += 64)
+        __builtin_prefetch(reinterpret_cast<const char*>(&values[ahead]) + byte, 1);
       moved[at] = true;
       std::swap(carried, values[at]);
     }
