@@ -198,6 +198,7 @@ const char* meaningless_for_points(const MeasureArguments& arguments) {
   if (!arguments.radii.empty()) return "--radius";
   if (arguments.order) return "--order";
   if (arguments.min_coverage > 0) return "--min-coverage";
+  if (arguments.border != BorderEstimate::InBall) return "--border";
   return arguments.refine > 0 ? "--refine" : nullptr;
 }
 

@@ -189,7 +189,7 @@ void declare(CLI::App& command, MeasureArguments& options) {
   command
       .add_option("--border", options.border,
                   "Where balls reach over a border: curvatures of what is in the ball, or at its centre, for smooth "
-                  "surfaces: ball, centre")
+                  "surfaces (not with --refine, radius 0 or auto-per-point): ball, centre")
       ->transform(one_of<BorderEstimate>({{"ball", BorderEstimate::InBall}, {"centre", BorderEstimate::AtCentre}}))
       ->option_text("KIND=ball");
   command.add_option("--quads", options.quads, "Quads as four triangles or as bilinear patches: split, bilinear")
@@ -217,6 +217,20 @@ std::vector<double> parse_radii(const std::vector<std::string>& radii) {
   return values;
 }
 
+namespace {
+
+/// Estimates at the centre are for balls at the points themselves.
+void check_border(const MeasureArguments& arguments, bool at_zero) {
+  if (arguments.border == BorderEstimate::InBall) return;
+  const auto refuse = [](const std::string& why) { throw CLI::ValidationError("--border", "centre " + why); };
+  if (arguments.refine > 0)
+    refuse("is not for faces refined by --refine " + std::to_string(arguments.refine) + "; leave one of them out");
+  if (arguments.own_scales()) refuse("is not for --radius auto-per-point; give a radius, or leave --border out");
+  if (at_zero) refuse("needs balls, and --radius 0 has none; give a positive radius, or leave --border out");
+}
+
+}  // namespace
+
 void check_measure(const MeasureArguments& arguments) {
   const std::vector<double> radii = parse_radii(arguments.radii);
   if (arguments.refine > 0 && arguments.quads == QuadMeasures::Bilinear)
@@ -224,6 +238,7 @@ void check_measure(const MeasureArguments& arguments) {
   const bool at_zero = std::find(radii.begin(), radii.end(), 0.0) != radii.end();
   if (arguments.min_coverage > 0 && at_zero)
     throw CLI::ValidationError("--min-coverage", "needs balls: it has no meaning at radius 0");
+  check_border(arguments, at_zero);
   if (!arguments.order) return;
   if (arguments.own_scales())
     throw CLI::ValidationError("--order", "is chosen for every point with --radius auto-per-point; leave it out");

@@ -84,6 +84,8 @@ std::vector<Bounds> boxes_of(const std::vector<BorderEdge>& edges) {
   return boxes;
 }
 
+}  // namespace
+
 /// The patches of refined faces have points along common edges of their own, so that each looks like an island. Of the
 /// parts of a polygon one corner alone is none of the mesh.
 bool is_refined(const MeasuredTriangles& t) {
@@ -91,8 +93,6 @@ bool is_refined(const MeasuredTriangles& t) {
     return std::count_if(c.begin(), c.end(), [&](Index i) { return i >= t.vertices; }) > 1;
   });
 }
-
-}  // namespace
 
 std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles) {
   if (is_refined(triangles)) return {};

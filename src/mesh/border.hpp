@@ -19,6 +19,9 @@ struct BorderEdge {
 /// disagree. Surfaces of refined faces tell none.
 std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles);
 
+/// Whether the triangles are those of `measure_refined`.
+bool is_refined(const MeasuredTriangles& triangles);
+
 /// Tells where the part of a surface in a ball lies.
 class Border {
  public:

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "border.hpp"
 #include "border_correction.hpp"
 #include "curvature_sample.hpp"
 #include "kappa/core/error.hpp"
@@ -128,9 +129,22 @@ std::vector<CurvatureField> measure_at_vertices(const BallSum& balls, const std:
   return fields;
 }
 
+[[noreturn]] void refuse_border(const std::string& of_what) {
+  throw Error(ErrorCode::InvalidArgument, "border = at centre " + of_what + ", or take border = in ball");
+}
+
+void check_border(const CurvatureOptions& options) {
+  if (options.border == BorderEstimate::InBall) return;
+  if (options.refine > 0) refuse_border("with refine = " + std::to_string(options.refine) + ": do not refine");
+  if (options.scale == ScaleChoice::PerPoint) refuse_border("with scale = per point: give radii");
+  if (std::find(options.radii.begin(), options.radii.end(), 0.0) != options.radii.end())
+    refuse_border("with radius = 0, where there are no balls: give a positive radius");
+}
+
 }  // namespace
 
 void validate(const CurvatureOptions& options) {
+  check_border(options);
   if (options.refine > 0 && options.quads == QuadMeasures::Bilinear)
     throw Error(ErrorCode::InvalidArgument, "refine = " + std::to_string(options.refine) +
                                                 " with bilinear quads: only triangles are refined; let quads be split");
@@ -156,6 +170,8 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std:
   if (options.scale != ScaleChoice::Given)
     throw Error(ErrorCode::InvalidArgument,
                 "scale = per point: it is chosen for the vertices of a mesh, not for centres");
+  if (options.border != BorderEstimate::InBall)
+    refuse_border("at other centres than vertices: measure at the vertices");
   return measure_balls(balls, centres, u, options, run, nullptr);
 }
 
@@ -174,6 +190,8 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Norm
   if (options.scale == ScaleChoice::PerPoint) return {estimate_at_own_scale(balls, u, options.ball, run)};
   const MeasuredTriangles& triangles = balls.triangles();
   check_count(u.size(), triangles.vertices, "vertex");
+  if (options.border != BorderEstimate::InBall && is_refined(triangles))
+    refuse_border("of refined triangles: measure those of the mesh");
   CurvatureOptions positive = options;
   auto& radii = positive.radii;
   radii.erase(std::remove(radii.begin(), radii.end(), 0.0), radii.end());

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
@@ -168,6 +171,29 @@ TEST(Commands, OrdersThatMakeNoSenseAreRefused) {
   EXPECT_EQ(code({"--refine", "7"}), 2);
   EXPECT_EQ(code({"--radius", "auto-per-point,0.5"}), 2);
   EXPECT_TRUE(f.names().size() == 1) << "no file is left";
+}
+
+TEST(Commands, EstimatesAtTheCentreNeedBallsOfPlainFaces) {
+  const Folder f;
+  generate({"sphere", f.file("s.ply")});
+  const auto outcome = [&](const Arguments& more) {
+    Arguments all = {"curvature", f.file("s.ply"), f.file("o.ply"), "--border", "centre"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  };
+  const std::vector<std::pair<Arguments, std::string>> refused = {{{"--radius", "0.5", "--refine", "1"}, "--refine 1"},
+                                                                  {{"--radius", "auto-per-point"}, "auto-per-point"},
+                                                                  {{"--radius", "0.5,0"}, "--radius 0"},
+                                                                  {{"--surface", "hexagram"}, "hexagram"}};
+  for (const auto& [options, named] : refused) {
+    const Outcome done = outcome(options);
+    EXPECT_EQ(done.exit_code, 2) << named;
+    EXPECT_NE(done.err.find("--border"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find(named), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("leave"), std::string::npos) << done.err;
+  }
+  EXPECT_EQ(f.names().size(), 1u) << "no file is left";
+  EXPECT_EQ(outcome({"--radius", "0.5"}).exit_code, 0);
 }
 
 TEST(Commands, FlippingTurnsTheSigns) {

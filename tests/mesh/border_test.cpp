@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "kappa/core/curvatures.hpp"
+#include "kappa/core/error.hpp"
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/measure_tree.hpp"
 #include "kappa/mesh/refine.hpp"
@@ -285,6 +286,33 @@ TEST(BorderEstimate, TooFewPointsTellNothing) {
     EXPECT_TRUE(std::isfinite(b.samples[i].k.mean));
     EXPECT_EQ(a.samples[i].k.mean, b.samples[i].k.mean);
   }
+}
+
+TEST(BorderEstimate, AtCentreIsForBallsAtTheVerticesOfPlainFaces) {
+  const Shape s = cut_torus(30);
+  CurvatureOptions options;
+  options.radii = {0.5};
+  options.border = BorderEstimate::AtCentre;
+  EXPECT_NO_THROW(estimate_curvatures(s.mesh, s.normals, options));
+  const auto refused = [&](const CurvatureOptions& o) {
+    try {
+      estimate_curvatures(s.mesh, s.normals, o);
+    } catch (const Error& e) {
+      return e.code() == ErrorCode::InvalidArgument && std::string(e.what()).find("border = at centre") == 0;
+    }
+    return false;
+  };
+  CurvatureOptions at_zero = options, refined = options, own_scales = options;
+  at_zero.radii = {0.5, 0};
+  refined.refine = 1;
+  own_scales.scale = ScaleChoice::PerPoint;
+  EXPECT_TRUE(refused(at_zero));
+  EXPECT_TRUE(refused(refined));
+  EXPECT_TRUE(refused(own_scales));
+  const MeasureTree plain(measure_triangles(s.mesh, s.normals)), split(measure_refined(s.mesh, s.normals, 1));
+  EXPECT_NO_THROW(estimate_curvatures(plain, s.normals, options));
+  EXPECT_THROW(estimate_curvatures(split, s.normals, options), Error);
+  EXPECT_THROW(estimate_curvatures(plain, s.mesh.vertices, s.normals, options), Error) << "other centres";
 }
 
 }  // namespace

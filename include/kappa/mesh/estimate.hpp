@@ -73,21 +73,21 @@ struct CurvatureOptions {
   /// Times every face is split in four on a curved patch before it is measured, see `measure_refined`; for calls that
   /// take a mesh.
   int refine = 0;
-  /// For balls at the vertices of a surface that is not refined; at other centres, at radius 0 and at scales chosen per
-  /// point the curvatures are those in the ball.
+  /// AtCentre is for balls at the vertices of a surface that is not refined: not for radius 0, scales chosen per point
+  /// or other centres.
   BorderEstimate border = BorderEstimate::InBall;
 };
 
-/// @throws Error InvalidArgument if faces are to be refined and quads bilinear; and unless each point has its own
-/// scale, if there is no radius, one is negative or not finite, the order is not 1 to 3, or is above 1 beside a radius
-/// 0.
+/// @throws Error InvalidArgument if faces are to be refined and quads bilinear; if estimates at borders are wanted
+/// AtCentre of refined faces, at radius 0 or at scales chosen per point; and unless each point has its own scale, if
+/// there is no radius, one is negative or not finite, the order is not 1 to 3, or is above 1 beside a radius 0.
 void validate(const CurvatureOptions& options);
 
 /// Curvatures of the balls around `centres`, with the corrected normals `u` there, one field a radius; all balls of a
 /// centre, of all radii and orders, are summed at once. A centre or normal that is not finite, or a zero normal, gives
 /// PointStatus::Invalid; at orders above 1, so does each status of the balls: see `extrapolate`.
-/// @throws Error InvalidArgument if sizes differ, a radius is not positive, the scale is not Given, or the order is not
-/// 1 to 3.
+/// @throws Error InvalidArgument if sizes differ, a radius is not positive, the scale is not Given, the order is not
+/// 1 to 3, or estimates at borders are wanted AtCentre.
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std::vector<Vec3>& centres,
                                                 const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run = {});
@@ -99,7 +99,8 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const std:
 
 /// The same at the vertices of the mesh that the triangles were made of, where a radius may be 0, or radius and order
 /// be chosen for each (`estimate_at_own_scale`).
-/// @throws Error InvalidArgument if u.size() is not their number, or as `validate` and `estimate_at_own_scale` do.
+/// @throws Error InvalidArgument if u.size() is not their number, if estimates at borders are wanted AtCentre of
+/// refined triangles, or as `validate` and `estimate_at_own_scale` do.
 std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run = {});
 
