@@ -78,9 +78,9 @@ Oriented with_exact_normals(const KnownScan& known) {
           "exact normals"};
 }
 
-Oriented with_fitted_normals(const KnownScan& known, std::optional<double> radius) {
-  SurfaceOptions options = umbrella_with(NormalsKind::Quadric);
-  options.normal_radius = radius;
+Oriented with_fitted_normals(const KnownScan& known, SurfaceOptions options) {
+  options.surface = SurfaceKind::Umbrella;
+  options.normals = NormalsKind::Quadric;
   Surface surface = make_surface(known.scan, options);
   const double wrong = correct_signs(known.scan.normals, surface.u);
   const std::string fit = surface.normal_radius > 0 ? text("quadrics within %.2g", surface.normal_radius)

@@ -37,9 +37,10 @@ struct Oriented {
 
 Oriented with_exact_normals(const KnownScan& known);
 
-/// Normals of fitted quadrics: as the program fits them if no radius is given, else to all points within `radius`.
-/// Their signs are those of the exact normals; `normals` tells how many the program itself would have given another.
-Oriented with_fitted_normals(const KnownScan& known, std::optional<double> radius = {});
+/// Normals of quadrics, fitted as the options say (normal_neighbours, normal_radius), and without any as the program
+/// does. Their signs are those of the exact normals; `normals` tells how many the program itself would have given
+/// another.
+Oriented with_fitted_normals(const KnownScan& known, SurfaceOptions options = {});
 
 /// The cloud turned about the origin.
 KnownScan rotated(const KnownScan& known, const Mat3& rotation);

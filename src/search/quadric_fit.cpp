@@ -69,6 +69,11 @@ Vec3 QuadricFit::normal_or(const Vec3& plane) const {
   return u.isZero(0) ? plane : u;
 }
 
+double QuadricFit::normal_variance() const {
+  const Eigen::LDLT<Mat6> solver(normal_);
+  return (solver.solve(Vec6::Unit(1))[1] + solver.solve(Vec6::Unit(2))[2]) / (unit_ * unit_);
+}
+
 const QuadricFit& better_fit(const QuadricFit& smaller, const QuadricFit& larger) {
   constexpr double kSame = 1.5;
   return larger.variance() <= kSame * smaller.variance() ? larger : smaller;

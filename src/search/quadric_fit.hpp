@@ -46,6 +46,7 @@ class QuadricFit {
   /// deviation) as those of a plane through the same points.
   Vec3 normal() const;
   Vec3 normal_or(const Vec3& plane) const;  ///< the other where there is none
+  double normal_variance() const;           ///< of both slopes together, for noise of variance 1
   static constexpr std::size_t kLeastForQuadric = 12;
   static constexpr double kUncertain = 10;
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
+#include "../search/ball_normals.hpp"
 #include "../search/quadric_fit.hpp"
+#include "growing_balls.hpp"
 #include "kappa/mesh/statistics.hpp"
 #include "on_positions.hpp"
 
@@ -15,26 +15,10 @@ namespace kappa {
 namespace {
 
 constexpr std::size_t kSample = 1000, kBlock = 8;
-constexpr std::size_t kFew = 12, kMany = 32;
-constexpr int kRadii = 6;
-constexpr double kSmallest = 5;  // spacings
+constexpr int kFirstOfMean = 2;  // smaller balls tell nothing of the mean curvature
 
-/// Axes around a point: two in the plane fitted to its neighbours, and its normal.
-Frame fit_frame(const std::vector<Vec3>& x, const std::vector<Index>& near) {
-  Vec3 mean = Vec3::Zero();
-  for (const Index i : near) mean += (x[i] - x[near[0]]) / static_cast<double>(near.size());
-  Mat3 covariance = Mat3::Zero();
-  for (const Index i : near) {
-    const Vec3 d = x[i] - x[near[0]] - mean;
-    covariance += d * d.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance);
-  Frame frame;
-  frame.col(0) = solver.eigenvectors().col(2);
-  frame.col(1) = solver.eigenvectors().col(1);
-  frame.col(2) = solver.eigenvectors().col(0);
-  return frame;
-}
+/// Neighbourhoods of growing size: those of two successive ones tell the noise.
+constexpr std::array<std::size_t, 5> kCounts = {12, 32, 85, 227, 605};
 
 /// What one place of the sample says about spacing and noise.
 struct Place {
@@ -42,16 +26,25 @@ struct Place {
   double few = kNaN, many = kNaN;
 };
 
-Place measure_place(const std::vector<Vec3>& x, const PointBlocks& search, Index at) {
+Place measure_place(const Positions& positions, Index at, std::size_t few, std::size_t many) {
   std::vector<Index> near;
   std::vector<double> distances_sq;
-  search.nearest(x[at], kMany, near, distances_sq);
+  positions.search.nearest(positions.x[at], many, near, distances_sq);
   Place place;
-  place.area = kPi * distances_sq.back() / static_cast<double>(kMany - 1);
-  QuadricFit fit(fit_frame(x, near), std::sqrt(distances_sq.back()));
+  place.area = kPi * distances_sq.back() / static_cast<double>(many - 1);
+  Vec3 sum = Vec3::Zero();
+  Mat3 products = Mat3::Zero();
+  for (const Index i : near) {
+    const Vec3 d = positions.x[i] - positions.x[at];
+    sum += d;
+    products += d * d.transpose();
+  }
+  const Vec3 plane = plane_of_moments(near.size(), sum, products).normal;
+  if (plane.isZero(0)) return place;
+  QuadricFit fit(frame_around(plane), std::sqrt(distances_sq.back()));
   for (std::size_t i = 0; i < near.size(); ++i) {
-    fit.add(x[near[i]] - x[at]);
-    if (i + 1 == kFew) place.few = fit.variance();
+    fit.add(positions.x[near[i]] - positions.x[at]);
+    if (i + 1 == few) place.few = fit.variance();
   }
   place.many = fit.variance();
   return place;
@@ -70,71 +63,82 @@ double median_share(double freedom) {
   return std::pow(1 - 2 / (9 * freedom), 3);
 }
 
-double noise_of(const std::vector<Place>& places) {
-  const double few = median(places, &Place::few) / median_share(kFew - 6.0);
-  const double many = median(places, &Place::many) / median_share(kMany - 6.0);
-  const double growth = std::pow(static_cast<double>(kMany) / kFew, 3);  // (ratio of the radii)^6
-  return std::sqrt(std::max(0.0, (growth * few - many) / (growth - 1)));
-}
+/// Points of the cloud, evenly spaced by index.
+struct Sample {
+  const Positions& positions;
+  std::size_t count = std::min(kSample, positions.x.size());
 
-/// Mean curvature of the quadric in a ball.
-struct BallCurvature {
-  double mean, variance;  ///< for noise of variance 1
-  bool lopsided;          ///< the ball reaches over a border or a gap
+  Index operator[](std::size_t i) const { return static_cast<Index>(i * positions.x.size() / count); }
 };
-using Curvatures6 = std::array<BallCurvature, kRadii>;  ///< in growing balls
 
-double radius_of(int step, double spacing) {
-  return kSmallest * spacing * std::pow(2.0, 0.5 * step);
+/// Spacing and noise of neighbourhoods of two sizes.
+struct Grain {
+  double spacing = kNaN, noise = kNaN;
+  double roughness = kNaN;  ///< noise over the radius of the larger ones
+};
+
+Grain measure_grain(const Sample& sample, std::size_t few, std::size_t many, const Execution& run) {
+  std::vector<Place> places(sample.count);
+  parallel_for(sample.count, kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) places[i] = measure_place(sample.positions, sample[i], few, many);
+  });
+  const auto a = static_cast<double>(few), b = static_cast<double>(many);
+  const double of_few = median(places, &Place::few) / median_share(a - 6);
+  const double of_many = median(places, &Place::many) / median_share(b - 6);
+  const double growth = std::pow(b / a, 3);  // (ratio of the radii)^6
+  Grain grain;
+  grain.spacing = std::sqrt(median(places, &Place::area));
+  grain.noise = std::sqrt(std::max(0.0, (growth * of_few - of_many) / (growth - 1)));
+  grain.roughness = grain.noise / (grain.spacing * std::sqrt(b / kPi));
+  return grain;
 }
 
-/// The mean curvature H of a surface from that of its quadric in a disc of radius r. However little the curvature
-/// varies there is a quartic part beside the quadric: the quadric of a sphere is wrong by r^2 H^3 / 4, that of a
-/// cylinder by r^2 3 H^3 / 4, in general by about r^2 (3 H^3 / 4 - H G / 2).
-double without_quartic_part(const QuadricFit::Curvature& quadric, double r) {
-  return quadric.mean / (1 + r * r * (0.75 * quadric.mean * quadric.mean - 0.5 * quadric.gaussian));
-}
-
-Curvatures6 measure_curvatures(const std::vector<Vec3>& x, const PointBlocks& search, Index at, double spacing) {
-  std::vector<Index> near;
-  std::vector<double> distances_sq;
-  PointBlocks::Work work;
-  search.nearest(x[at], kMany, near, distances_sq);
-  QuadricFit fit(fit_frame(x, near), radius_of(kRadii - 1, spacing));
-  search.within(x[at], radius_of(kRadii - 1, spacing), near, distances_sq, work);
-  Curvatures6 result{};
-  Vec3 sum = Vec3::Zero();
-  double count = 0;
-  for (int step = 0; step < kRadii; ++step) {
-    const double outer = radius_of(step, spacing), inner = step == 0 ? -1 : radius_of(step - 1, spacing);
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      if (distances_sq[i] > outer * outer || (step > 0 && distances_sq[i] <= inner * inner)) continue;
-      fit.add(x[near[i]] - x[at]);
-      sum += x[near[i]] - x[at];
-      ++count;
-    }
-    constexpr double kLopsided = 0.2;  // the centroid of half a disc lies 0.42 radii from its centre
-    const QuadricFit::Curvature quadric = fit.curvature();
-    result[static_cast<std::size_t>(step)] = {without_quartic_part(quadric, outer), quadric.variance,
-                                              sum.norm() > kLopsided * outer * count};
+/// Noise hides in neighbourhoods that are no wider than it is: then they grow, as long as that makes them flatter.
+Grain measure_grain(const Sample& sample, const Execution& run) {
+  constexpr double kRough = 0.2;
+  Grain grain = measure_grain(sample, kCounts[0], kCounts[1], run);
+  for (std::size_t i = 2; i < kCounts.size() && grain.roughness > kRough; ++i) {
+    if (sample.positions.x.size() < kCounts[i]) break;
+    const Grain wider = measure_grain(sample, kCounts[i - 1], kCounts[i], run);
+    if (!(wider.roughness < grain.roughness)) break;
+    grain = wider;
   }
-  return result;
+  return grain;
 }
 
-/// Squares of the differences between the quadrics of two radii, less what noise explains. Lopsided balls are left out,
-/// unless few others are left.
-std::vector<double> excesses(const std::vector<Curvatures6>& sample, std::size_t step, double noise) {
-  const auto lopsided =
-      std::count_if(sample.begin(), sample.end(), [&](const auto& c) { return c[step + 1].lopsided; });
+/// Square of the difference between the fits in two balls, and the part of it that noise of variance 1 explains. The
+/// larger fit is the best linear one of its points, so the variance of the difference is that of the variances.
+struct Difference {
+  double square, of_noise;
+};
+Difference of_mean(const BallFit& from, const BallFit& to) {
+  return {std::pow(from.mean - to.mean, 2), from.mean_variance - to.mean_variance};
+}
+Difference of_normal(const BallFit& from, const BallFit& to) {
+  if (from.normal.isZero(0) || to.normal.isZero(0)) return {kNaN, kNaN};
+  return {(from.normal - to.normal).squaredNorm(), from.normal_variance - to.normal_variance};
+}
+
+/// What is left of the squares at the places of the sample, and the mean of what noise explained. Lopsided balls are
+/// left out, unless few others are left.
+struct Excesses {
+  std::vector<double> values;
+  double of_noise = 0;
+};
+using Differ = Difference (*)(const BallFit&, const BallFit&);
+Excesses excesses(const std::vector<GrowingBalls>& sample, int rung, double noise, Differ differ) {
+  const auto from = static_cast<std::size_t>(rung), to = from + 1;
+  const auto lopsided = std::count_if(sample.begin(), sample.end(), [&](const auto& b) { return b[to].lopsided; });
   const bool use_all = 2 * static_cast<std::size_t>(lopsided) > sample.size();
-  std::vector<double> result;
-  for (const Curvatures6& c : sample) {
-    const BallCurvature &from = c[step], &to = c[step + 1];
-    // The larger fit is the best linear one of its points, so the variance of the difference is that of the variances.
-    const double difference = from.mean - to.mean, of_noise = noise * noise * (from.variance - to.variance);
-    const double excess = difference * difference - of_noise;
-    if (std::isfinite(excess) && (use_all || !to.lopsided)) result.push_back(excess);
+  Excesses result;
+  for (const GrowingBalls& balls : sample) {
+    const Difference difference = differ(balls[from], balls[to]);
+    const double of_noise = noise * noise * difference.of_noise, excess = difference.square - of_noise;
+    if (!std::isfinite(excess) || (balls[to].lopsided && !use_all)) continue;
+    result.values.push_back(excess);
+    result.of_noise += of_noise;
   }
+  result.of_noise /= std::max(1.0, static_cast<double>(result.values.size()));
   return result;
 }
 
@@ -145,7 +149,7 @@ struct BiasSq {
 };
 
 /// The largest excesses count as the 98th percentile does: a few wild quadrics would hide all others.
-BiasSq bias_sq(std::vector<double> excess) {
+BiasSq bias_sq(const std::vector<double>& excess) {
   if (excess.size() < 2) return {};
   std::vector<double> sizes = excess;
   for (double& e : sizes) e = std::abs(e);
@@ -160,22 +164,41 @@ BiasSq bias_sq(std::vector<double> excess) {
   return {mean, std::sqrt(std::max(0.0, sum_sq / count - mean * mean) / count)};
 }
 
-double variation_of(const std::vector<Curvatures6>& sample, double spacing, double noise) {
+double variation_of(const std::vector<GrowingBalls>& sample, double spacing, double noise) {
   constexpr double kLeast = 3, kAmple = 6, kAgreement = 0.4;  // of the square
-  for (int step = 0; step + 1 < kRadii; ++step) {
+  for (int rung = kFirstOfMean; rung + 1 < kRungs; ++rung) {
     // A quadric fitted in a disc of radius r has the bias r^2 / 16 times the Laplacian of the mean curvature.
-    const auto variation = [&](int s, double mean) {
-      return 16 * std::sqrt(mean) / std::pow(radius_of(s, spacing), 2);
+    const auto variation = [&](int r, double mean) {
+      return 16 * std::sqrt(mean) / std::pow(radius_of_rung(r, spacing), 2);
     };
-    const BiasSq here = bias_sq(excesses(sample, static_cast<std::size_t>(step), noise));
+    const BiasSq here = bias_sq(excesses(sample, rung, noise, of_mean).values);
     if (!here.certain(kLeast)) continue;
-    if (here.certain(kAmple) || step + 2 == kRadii) return variation(step, here.mean);
+    if (here.certain(kAmple) || rung + 2 == kRungs) return variation(rung, here.mean);
     // What barely passes may be chance, and is too large on average. The next radius knows better where it follows the
     // same law, by which the square grows by four; at edges it does not.
-    const BiasSq next = bias_sq(excesses(sample, static_cast<std::size_t>(step) + 1, noise));
+    const BiasSq next = bias_sq(excesses(sample, rung + 1, noise, of_mean).values);
     if (!next.certain(kLeast)) continue;
     const bool agrees = next.mean / 4 > kAgreement * here.mean;
-    return agrees ? variation(step + 1, next.mean) : variation(step, here.mean);
+    return agrees ? variation(rung + 1, next.mean) : variation(rung, here.mean);
+  }
+  return 0;
+}
+
+/// The bias of a normal grows with the square of the radius, from one ball to the next by as much as it is.
+double gradient_of(const std::vector<GrowingBalls>& sample, double spacing, double noise) {
+  constexpr double kLeast = 3, kClear = 0.25, kRough = 0.22, kSteep = 0.12, kAgreement = 0.4;  // of the square
+  for (int rung = 0; rung + 1 < kRungs; ++rung) {
+    const double radius = radius_of_rung(rung, spacing);
+    if (noise > kRough * radius) continue;
+    const Excesses excess = excesses(sample, rung, noise, of_normal);
+    const BiasSq here = bias_sq(excess.values);
+    if (!here.certain(kLeast) || here.mean < kClear * excess.of_noise) continue;
+    // Normals do not follow steep noise linearly. What that leaves falls with the radius, where bias grows.
+    if (noise > kSteep * radius && rung + 2 < kRungs) {
+      const BiasSq next = bias_sq(excesses(sample, rung + 1, noise, of_normal).values);
+      if (next.mean / 4 < kAgreement * here.mean) continue;
+    }
+    return 6 * std::sqrt(here.mean) / (radius * radius);
   }
   return 0;
 }
@@ -187,23 +210,18 @@ CloudScale measure_scale(const std::vector<Vec3>& points, const Execution& run) 
 }
 
 CloudScale measure_scale(const Positions& positions, const Execution& run) {
-  const std::vector<Vec3>& x = positions.x;
-  const PointBlocks& search = positions.search;
   CloudScale scale;
-  if (x.size() < kMany) return scale;
-  const std::size_t count = std::min(kSample, x.size());
-  const auto sampled = [&](std::size_t i) { return static_cast<Index>(i * x.size() / count); };
-  std::vector<Place> places(count);
-  parallel_for(count, kBlock, stage(run, 0.5, 0.6), [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t i = begin; i < end; ++i) places[i] = measure_place(x, search, sampled(i));
+  if (positions.x.size() < kCounts[1]) return scale;
+  const Sample sample{positions};
+  const Grain grain = measure_grain(sample, stage(run, 0.5, 0.6));
+  std::vector<GrowingBalls> balls(sample.count);
+  parallel_for(sample.count, kBlock, stage(run, 0.6, 1.0), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) balls[i] = fit_growing_balls(positions, sample[i], grain.spacing);
   });
-  scale.spacing = std::sqrt(median(places, &Place::area));
-  scale.noise = noise_of(places);
-  std::vector<Curvatures6> curvatures(count);
-  parallel_for(count, kBlock, stage(run, 0.6, 1.0), [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t i = begin; i < end; ++i) curvatures[i] = measure_curvatures(x, search, sampled(i), scale.spacing);
-  });
-  scale.variation = variation_of(curvatures, scale.spacing, scale.noise);
+  scale.spacing = grain.spacing;
+  scale.noise = grain.noise;
+  scale.variation = variation_of(balls, scale.spacing, scale.noise);
+  scale.gradient = gradient_of(balls, scale.spacing, scale.noise);
   return scale;
 }
 
@@ -232,15 +250,21 @@ double crossing(double from, double to, const Excess& excess) {
 
 }  // namespace
 
+double normal_noise(const CloudScale& scale, double normal_radius) {
+  return std::sqrt(8 / kPi) * scale.noise * scale.spacing / (normal_radius * normal_radius);
+}
+
+double normal_bias(const CloudScale& scale, double normal_radius) {
+  return scale.gradient * normal_radius * normal_radius / 6;
+}
+
+double balanced_normal_radius(const CloudScale& scale, double from, double to) {
+  return crossing(from, to, [&](double radius) { return normal_noise(scale, radius) - normal_bias(scale, radius); });
+}
+
 double balanced_radius(const CloudScale& scale, double normal_radius, double from, double to) {
   return crossing(from, to, [&](double radius) {
     return curvature_noise(scale, radius, normal_radius) - curvature_bias(scale, radius, normal_radius);
-  });
-}
-
-double balanced_radius(const CloudScale& scale, double from, double to) {
-  return crossing(from, to, [&](double radius) {
-    return curvature_noise(scale, radius, kNormalShare * radius) - curvature_bias(scale, radius, kNormalShare * radius);
   });
 }
 

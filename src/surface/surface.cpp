@@ -55,6 +55,9 @@ void orient(const Scan& scan, const SurfaceChoice& choice, Surface& s) {
   if (s.orientation == Orientation::Consistent) s.agreement = orient_consistently(scan.points, s.u).agreement;
 }
 
+/// Radii of fits in spacings: at most, and on a noisy mesh at least.
+constexpr double kLargestNormalRadius = 21, kMeshNormalRadius = 3.5;
+
 /// Error of the mean curvature in a ball of five spacings, with normals that are averages within `normal_radius`.
 double expected_error(const CloudScale& scale, double normal_radius) {
   const double radius = kAutomaticRadius * scale.spacing;
@@ -65,13 +68,10 @@ double radius_of_neighbours(const CloudScale& scale) {
   return std::sqrt(NormalFitOptions{}.neighbours / kPi) * scale.spacing;
 }
 
-/// The ball of the fits that noise asks for, 0 for the nearest neighbours alone: as large as the measuring ball of five
-/// spacings where that is better there, or kNormalShare of a larger ball where noise asks for one.
+/// The ball of the fits where the noise of their normals equals the bias, 0 where the nearest neighbours fill it.
 double automatic_normal_radius(const CloudScale& scale, const std::optional<double>& measured_radius) {
-  const double five = kAutomaticRadius * scale.spacing;
-  const double balanced = balanced_radius(scale, five, kLargestRadius * scale.spacing);
-  double radius = balanced > five ? kNormalShare * balanced : 0;
-  if (expected_error(scale, five) < expected_error(scale, radius_of_neighbours(scale))) radius = std::max(radius, five);
+  const double least = radius_of_neighbours(scale), most = kLargestNormalRadius * scale.spacing;
+  const double balanced = balanced_normal_radius(scale, least, most), radius = balanced > least ? balanced : 0;
   return std::min(radius, measured_radius.value_or(radius));
 }
 
@@ -120,7 +120,7 @@ Normals mesh_normals(const Scan& scan, const SurfaceOptions& options, Surface& s
     if (is_too_noisy_for_faces(scale)) {
       s.normals = NormalsKind::Quadric;
       s.scale = scale;
-      const double radius = std::min(kNormalShare * kAutomaticRadius * scale.spacing,
+      const double radius = std::min(kMeshNormalRadius * scale.spacing,
                                      options.measured_radius.value_or(std::numeric_limits<double>::infinity()));
       return normals_at_scale(positions, options, radius, s, stage(run, 0.2, 1.0));
     }

@@ -53,6 +53,19 @@ TEST(MeasureScale, FindsHowTheMeanCurvatureVaries) {
   EXPECT_EQ(measure_scale(plane).variation, 0);
 }
 
+TEST(MeasureScale, FindsTheGradientOfTheMeanCurvature) {
+  // Of (kAmplitude / kLength^2) sin cos, to first order in the slopes.
+  const double gradient = kAmplitude / std::pow(kLength, 3) * std::sqrt(0.5);
+  for (const double noise : {0.0, 0.02, 0.05, 0.1, 0.2}) {
+    const double found = measure_scale(waves(noise).points).gradient;
+    EXPECT_GT(found, 0.8 * gradient) << noise;
+    EXPECT_LT(found, 1.3 * gradient) << noise;
+  }
+  std::vector<Vec3> plane = waves(0).points;
+  for (Vec3& x : plane) x.z() = 0;
+  EXPECT_LT(measure_scale(plane).gradient, 1e-9);
+}
+
 TEST(MeasureScale, CurvatureThatDoesNotVaryIsNoVariation) {
   // Quadrics in balls of different radii differ by 4 / radius^3 there, were it not for their quartic parts.
   std::vector<Vec3> sphere, cylinder;
@@ -64,6 +77,8 @@ TEST(MeasureScale, CurvatureThatDoesNotVaryIsNoVariation) {
   }
   EXPECT_LT(measure_scale(sphere).variation, 0.5 / std::pow(kRadius, 3));
   EXPECT_LT(measure_scale(cylinder).variation, 0.5 / std::pow(kRadius, 3));
+  EXPECT_LT(measure_scale(sphere).gradient, 0.02 / (kRadius * kRadius));
+  EXPECT_LT(measure_scale(cylinder).gradient, 0.02 / (kRadius * kRadius));
 }
 
 TEST(MeasureScale, FollowsTheUnitsAndNotTheThreads) {
@@ -74,22 +89,29 @@ TEST(MeasureScale, FollowsTheUnitsAndNotTheThreads) {
   const CloudScale scaled = measure_scale(large);
   EXPECT_NEAR(scaled.noise, 1024 * one.noise, 1e-6 * scaled.noise);
   EXPECT_NEAR(scaled.variation, one.variation / std::pow(1024, 3), 1e-6 * scaled.variation);
+  EXPECT_NEAR(scaled.gradient, one.gradient / std::pow(1024, 2), 1e-6 * scaled.gradient);
   Execution run;
   run.threads = 3;
   const CloudScale three = measure_scale(scan.points, run);
   EXPECT_EQ(one.noise, three.noise);
   EXPECT_EQ(one.variation, three.variation);
+  EXPECT_EQ(one.gradient, three.gradient);
   EXPECT_TRUE(std::isnan(measure_scale({{0, 0, 0}, {1, 0, 0}}).noise));
 }
 
 TEST(BalancedRadius, IsWhereNoiseEqualsBias) {
-  const CloudScale scale = {1, 0.03, 8.7e-7};
-  const double radius = balanced_radius(scale, 1, 100);
-  const double of_noise = curvature_noise(scale, radius, kNormalShare * radius);
-  EXPECT_NEAR(of_noise, curvature_bias(scale, radius, kNormalShare * radius), 1e-9 * of_noise);
-  EXPECT_EQ(balanced_radius(scale, 50, 100), 50);
-  EXPECT_EQ(balanced_radius({1, 0.03, 0}, 1, 100), 100);
-  EXPECT_EQ(balanced_radius({1, 0, 1}, 1, 100), 1);
+  const CloudScale scale = {1, 0.03, 8.7e-7, 4e-5};
+  const double normal_radius = balanced_normal_radius(scale, 1, 100);
+  EXPECT_NEAR(normal_noise(scale, normal_radius), normal_bias(scale, normal_radius), 1e-9);
+  EXPECT_EQ(balanced_normal_radius(scale, 50, 100), 50);
+  EXPECT_EQ(balanced_normal_radius({1, 0.03, 0, 0}, 1, 100), 100);
+  EXPECT_EQ(balanced_normal_radius({1, 0, 1, 1}, 1, 100), 1);
+  const double radius = balanced_radius(scale, normal_radius, 1, 100);
+  const double of_noise = curvature_noise(scale, radius, normal_radius);
+  EXPECT_NEAR(of_noise, curvature_bias(scale, radius, normal_radius), 1e-9 * of_noise);
+  EXPECT_EQ(balanced_radius(scale, 8, 50, 100), 50);
+  EXPECT_EQ(balanced_radius({1, 0.03, 0, 0}, 8, 1, 100), 100);
+  EXPECT_EQ(balanced_radius({1, 0, 1, 1}, 8, 1, 100), 1);
 }
 
 /// Mean square error of the mean curvature away from the border.

@@ -39,8 +39,8 @@ std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind);
 /// Where the corrected normals come from.
 enum class NormalsKind {
   Auto,   ///< Input if the scan has normals; else Max on a mesh, Area on a sweep, Quadric on other clouds. Quadric, of
-          ///< the vertices within kNormalShare of five spacings or more, on a mesh too if these are so noisy that in a
-          ///< ball of five spacings the mean curvature is better with fits to 24 of them (curvature_noise, _bias)
+          ///< the vertices within 3.5 spacings or more, on a mesh too if these are so noisy that in a ball of five
+          ///< spacings the mean curvature is better with fits to 24 of them (curvature_noise, _bias)
   Input,  ///< those of the scan
   Geometric,
   Area,
@@ -84,7 +84,8 @@ struct SurfaceOptions {
   /// What Greedy calls with origin, points and normals: `greedy_surface` of kappa/pcl/greedy.hpp, from a layer above.
   std::function<CloudSurface(const Vec3&, const std::vector<Vec3>&, const Normals&)> greedy;
   /// Of the fitted planes or quadrics, the point included. Unless it or the radius is given, 24, and all points within
-  /// `kNormalShare` of the radius that noise asks for (balanced_radius) where that is larger than five spacings.
+  /// the radius at which noise and bias of the normals are equal (balanced_normal_radius) where that is larger, up to
+  /// 21 spacings.
   std::optional<int> normal_neighbours;
   std::optional<double> normal_radius;    ///< of the fits; where it holds too few points, the neighbours
   std::optional<double> measured_radius;  ///< smallest radius of a ball, if known: fits are not made larger for noise
