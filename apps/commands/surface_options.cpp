@@ -108,8 +108,9 @@ void declare_normals(CLI::App& command, SurfaceArguments& options) {
                   "Points that pca, quadric and robust fit to (24, and more where the points are noisy)")
       ->check(CLI::Range(3, 100000));
   command
-      .add_option("--normal-radius", s.normal_radius,
-                  "Radius within which they fit, where it holds enough points (chosen from the noise)")
+      .add_option(
+          "--normal-radius", s.normal_radius,
+          "Radius within which they fit, where it holds enough points (where noise and bias of the normals are equal)")
       ->check(CLI::PositiveNumber);
   command.add_option("--smooth", s.averaging_passes, "Averaging passes over the normals")
       ->check(CLI::Range(0, 100000))

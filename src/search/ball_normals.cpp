@@ -86,8 +86,13 @@ QuadricFit quadric_through(Ball& ball, double radius, const Vec3& plane) {
 /// Fits to the balls around the points of one run after the other; one thread's worth of memory.
 class RunFits {
  public:
-  RunFits(const PointBlocks& points, double radius, std::size_t least, NormalFit fit)
-      : points_(points), radius_(radius), least_(least), fit_(fit), candidates_(points) {}
+  RunFits(const PointBlocks& points, double radius, std::size_t least, NormalFit fit, double most_variance)
+      : points_(points),
+        radius_(radius),
+        least_(least),
+        fit_(fit),
+        most_variance_(most_variance),
+        candidates_(points) {}
 
   /// Fits to the points [begin, end).
   void fit(std::size_t begin, std::size_t end, Normals& normals) {
@@ -110,6 +115,10 @@ class RunFits {
     if (fit_ == NormalFit::Plane || plane.normal.isZero(0)) return;
     const double growth = growth_of_ball(plane.offset / radius_, ball_.count);
     const QuadricFit quadric = quadric_through(ball_, radius_, plane.normal);
+    if (std::isfinite(most_variance_) && quadric.variance() > most_variance_) {
+      normals[point].setZero();
+      return;
+    }
     normals[point] = quadric.normal_or(plane.normal);
     if (growth > 1) lopsided_.push_back({point, growth, plane.normal, quadric});
   }
@@ -127,6 +136,7 @@ class RunFits {
   double radius_;
   std::size_t least_;
   NormalFit fit_;
+  double most_variance_;
   Candidates candidates_;
   Ball ball_;
 
@@ -185,10 +195,11 @@ double growth_of_ball(double offset, std::size_t count) {
   return offset < kHalfDisc ? 1 + (offset - even) / (kHalfDisc - even) : 2;
 }
 
-Normals ball_normals(const PointBlocks& points, double radius, std::size_t least, NormalFit fit, const Execution& run) {
+Normals ball_normals(const PointBlocks& points, double radius, std::size_t least, NormalFit fit, double most_variance,
+                     const Execution& run) {
   Normals normals(points.size(), Vec3::Zero());
   parallel_for(points.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
-    RunFits(points, radius, least, fit).fit(begin, end, normals);
+    RunFits(points, radius, least, fit, most_variance).fit(begin, end, normals);
   });
   return normals;
 }

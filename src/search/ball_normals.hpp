@@ -15,7 +15,9 @@ class PointBlocks;
 /// `least` or do not span a plane. Of more than kMostInBall candidates around a point every m-th is taken.
 /// Points that follow each other share their candidates: many times faster than a search for as many nearest
 /// neighbours.
-Normals ball_normals(const PointBlocks& points, double radius, std::size_t least, NormalFit fit, const Execution& run);
+/// Zero too where the residuals of a quadric have more than `most_variance`.
+Normals ball_normals(const PointBlocks& points, double radius, std::size_t least, NormalFit fit, double most_variance,
+                     const Execution& run);
 inline constexpr std::size_t kMostInBall = 8192;
 
 /// By how much the ball of a quadric grows where the centroid of its `count` points lies `offset` radii from its

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "../core/large_array.hpp"
@@ -108,7 +109,9 @@ Normals normals_of_positions(const Positions& positions, const NormalFitOptions&
   const bool balls = options.radius > 0;
   if (balls) {
     const auto least = static_cast<std::size_t>(options.neighbours);
-    normals = ball_normals(positions.search, options.radius, least, options.fit, stage(run, 0.0, 0.9));
+    const double most_variance =
+        options.noise > 0 ? 4 * options.noise * options.noise : std::numeric_limits<double>::infinity();
+    normals = ball_normals(positions.search, options.radius, least, options.fit, most_variance, stage(run, 0.0, 0.9));
   }
   fit_nearest(positions, options, balls ? stage(run, 0.9, 1.0) : run, normals);
   return normals;
@@ -121,6 +124,9 @@ void check(const NormalFitOptions& options) {
   if (!(options.radius >= 0 && std::isfinite(options.radius)))
     throw Error(ErrorCode::InvalidArgument, "radius of the normals = " + std::to_string(options.radius) +
                                                 ": give a positive length, or 0 for the nearest neighbours alone");
+  if (!(options.noise >= 0 && std::isfinite(options.noise)))
+    throw Error(ErrorCode::InvalidArgument, "noise of the points = " + std::to_string(options.noise) +
+                                                ": give a positive length, or 0 if it is not known");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "growing_balls.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -11,10 +12,36 @@
 namespace kappa {
 namespace {
 
-/// The points of a ball around a point, relative to it.
-struct Ball {
-  double radius;
-  std::vector<Vec3> points;
+/// Points around a point, as coordinates relative to it, those of every ball before the others.
+struct Near {
+  std::array<double, kRungs> radii;
+  std::array<std::size_t, kRungs> counts = {};  ///< in each ball
+  std::array<std::vector<double>, 3> x;
+
+  Near(const Positions& positions, Index at, double spacing) {
+    for (int rung = 0; rung < kRungs; ++rung) radii[static_cast<std::size_t>(rung)] = radius_of_rung(rung, spacing);
+    std::vector<Index> indices;
+    std::vector<double> distances_sq;
+    PointBlocks::Work work;
+    positions.search.within(positions.x[at], radii.back(), indices, distances_sq, work);
+    std::array<std::vector<Index>, kRungs> shells;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      std::size_t rung = 0;
+      while (rung + 1 < kRungs && distances_sq[i] > radii[rung] * radii[rung]) ++rung;
+      shells[rung].push_back(indices[i]);
+    }
+    for (auto& axis : x) axis.reserve(indices.size() + kernels::kBlockPoints);
+    for (std::size_t rung = 0; rung < kRungs; ++rung) {
+      for (const Index i : shells[rung]) add(positions.x[i] - positions.x[at]);
+      counts[rung] = x[0].size();
+    }
+    for (auto& axis : x) axis.resize(axis.size() + kernels::kBlockPoints);
+  }
+
+ private:
+  void add(const Vec3& d) {
+    for (std::size_t axis = 0; axis < 3; ++axis) x[axis].push_back(d[static_cast<Eigen::Index>(axis)]);
+  }
 };
 
 /// The mean curvature H of a surface from that of its quadric in a disc of radius r. However little the curvature
@@ -24,33 +51,29 @@ double without_quartic_part(const QuadricFit::Curvature& quadric, double r) {
   return quadric.mean / (1 + r * r * (0.75 * quadric.mean * quadric.mean - 0.5 * quadric.gaussian));
 }
 
-/// Whether the centroid lies far beside the centre, along the plane: noise and curvature move it across.
-bool is_lopsided(const Ball& ball, const Vec3& sum, const Vec3& plane) {
-  constexpr double kLopsided = 0.2;  // the centroid of half a disc lies 0.42 radii from its centre
-  const Vec3 along = sum - sum.dot(plane) * plane;
-  return along.norm() > kLopsided * ball.radius * static_cast<double>(ball.points.size());
-}
-
-/// With the normal on the side of `towards`, if that is not zero.
-BallFit fit_ball(const Ball& ball, const Vec3& towards) {
-  Vec3 sum = Vec3::Zero();
-  Mat3 products = Mat3::Zero();
-  for (const Vec3& d : ball.points) {
-    sum += d;
-    products += d * d.transpose();
-  }
-  Vec3 plane = plane_of_moments(ball.points.size(), sum, products).normal;
+/// Fits to the points of one ball, as columns; leaves them turned. With the normal on the side of `towards`, if that is
+/// not zero.
+BallFit fit_ball(const kernels::PointColumns& points, std::size_t count, double radius, const Vec3& towards) {
+  std::array<double, kernels::kPlaneSums> s;  // x y z, xx xy xz yy yz zz
+  kernels::best_point_table().plane_sums(points, count, s.data());
+  const Vec3 sum(s[0], s[1], s[2]);
+  Mat3 products;
+  products << s[3], s[4], s[5], s[4], s[6], s[7], s[5], s[7], s[8];
+  Vec3 plane = plane_of_moments(count, sum, products).normal;
   if (plane.isZero(0)) return {};
   if (plane.dot(towards) < 0) plane = -plane;
-  QuadricFit quadric(frame_around(plane), ball.radius);
-  for (const Vec3& d : ball.points) quadric.add(d);
+  QuadricFit quadric(frame_around(plane), radius);
+  quadric.take(points, count);
   const QuadricFit::Curvature curvature = quadric.curvature();
   BallFit fit;
   fit.normal = quadric.normal();
   fit.normal_variance = quadric.normal_variance();
-  fit.mean = without_quartic_part(curvature, ball.radius);
+  fit.mean = without_quartic_part(curvature, radius);
   fit.mean_variance = curvature.variance;
-  fit.lopsided = is_lopsided(ball, sum, plane);
+  // The centroid of half a disc lies 0.42 radii from its centre; noise and curvature move it across the plane alone.
+  constexpr double kLopsided = 0.2;
+  const Vec3 along = sum - sum.dot(plane) * plane;
+  fit.lopsided = along.norm() > kLopsided * radius * static_cast<double>(count);
   return fit;
 }
 
@@ -61,20 +84,13 @@ double radius_of_rung(int rung, double spacing) {
 }
 
 GrowingBalls fit_growing_balls(const Positions& positions, Index at, double spacing) {
-  std::vector<Index> near;
-  std::vector<double> distances_sq;
-  PointBlocks::Work work;
-  positions.search.within(positions.x[at], radius_of_rung(kRungs - 1, spacing), near, distances_sq, work);
+  const Near near(positions, at, spacing);
   GrowingBalls fits;
   Vec3 towards = Vec3::Zero();
-  for (int rung = 0; rung < kRungs; ++rung) {
-    Ball ball{radius_of_rung(rung, spacing), {}};
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      if (distances_sq[i] <= ball.radius * ball.radius) ball.points.push_back(positions.x[near[i]] - positions.x[at]);
-    }
-    BallFit& fit = fits[static_cast<std::size_t>(rung)];
-    fit = fit_ball(ball, towards);
-    if (!fit.normal.isZero(0)) towards = fit.normal;
+  for (std::size_t rung = 0; rung < kRungs; ++rung) {
+    auto x = near.x;
+    fits[rung] = fit_ball({x[0].data(), x[1].data(), x[2].data()}, near.counts[rung], near.radii[rung], towards);
+    if (!fits[rung].normal.isZero(0)) towards = fits[rung].normal;
   }
   return fits;
 }

@@ -90,6 +90,7 @@ Normals normals_at_scale(const Positions& positions, const SurfaceOptions& optio
     fit.radius = *options.normal_radius;
   } else if (!options.normal_neighbours) {
     fit.radius = std::max(automatic_normal_radius(s.scale, options.measured_radius), radius);
+    fit.noise = s.scale.noise;
   }
   s.normal_neighbours = fit.neighbours;
   s.normal_radius = fit.radius;

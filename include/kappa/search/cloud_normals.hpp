@@ -38,12 +38,16 @@ struct NormalFitOptions {
   /// If positive: all points within this radius, where they are at least `neighbours`; the more, the less noise.
   double radius = 0;
   NormalFit fit = NormalFit::Quadric;
+  /// If positive: the noise of the points across the surface. A quadric within `radius` whose residuals are more than
+  /// twice that reaches over an edge, or across a shape that it cannot follow: there the nearest neighbours take the
+  /// place of the ball.
+  double noise = 0;
 };
 
 /// Unit normals of the surfaces that are fitted to the neighbours of each point, sign arbitrary. The zero vector where
 /// the point is not finite or its neighbours are collinear or fewer than three.
 /// Exact duplicates count once. Of more than 8192 points within the radius (and a little farther) every m-th is taken.
-/// @throws Error InvalidArgument if there are fewer than 3 neighbours, or the radius is negative or not finite.
+/// @throws Error InvalidArgument if there are fewer than 3 neighbours, or the radius or noise is negative or not finite.
 Normals fitted_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run = {});
 
 /// Turns each normal so that it points to the side of `viewpoint`.
