@@ -47,7 +47,8 @@ struct NormalFitOptions {
 /// Unit normals of the surfaces that are fitted to the neighbours of each point, sign arbitrary. The zero vector where
 /// the point is not finite or its neighbours are collinear or fewer than three.
 /// Exact duplicates count once. Of more than 8192 points within the radius (and a little farther) every m-th is taken.
-/// @throws Error InvalidArgument if there are fewer than 3 neighbours, or the radius or noise is negative or not finite.
+/// @throws Error InvalidArgument if there are fewer than 3 neighbours, or the radius or noise is negative or not
+/// finite.
 Normals fitted_normals(const std::vector<Vec3>& points, const NormalFitOptions& options, const Execution& run = {});
 
 /// Turns each normal so that it points to the side of `viewpoint`.

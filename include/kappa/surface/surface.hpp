@@ -85,7 +85,7 @@ struct SurfaceOptions {
   std::function<CloudSurface(const Vec3&, const std::vector<Vec3>&, const Normals&)> greedy;
   /// Of the fitted planes or quadrics, the point included. Unless it or the radius is given, 24, and all points within
   /// the radius at which noise and bias of the normals are equal (balanced_normal_radius) where that is larger, up to
-  /// 21 spacings.
+  /// 21 spacings; 24 where residuals are more than twice the noise (NormalFitOptions::noise).
   std::optional<int> normal_neighbours;
   std::optional<double> normal_radius;    ///< of the fits; where it holds too few points, the neighbours
   std::optional<double> measured_radius;  ///< smallest radius of a ball, if known: fits are not made larger for noise
