@@ -90,7 +90,7 @@ Normals normals_at_scale(const Positions& positions, const SurfaceOptions& optio
     fit.radius = *options.normal_radius;
   } else if (!options.normal_neighbours) {
     fit.radius = std::max(automatic_normal_radius(s.scale, options.measured_radius), radius);
-    fit.noise = s.scale.noise;
+    if (s.scale.noise > 0) fit.noise = s.scale.noise;  // too few points have no scale
   }
   s.normal_neighbours = fit.neighbours;
   s.normal_radius = fit.radius;

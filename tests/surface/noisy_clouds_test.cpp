@@ -159,5 +159,14 @@ TEST(NoisyClouds, WideFitsLeaveTheEdgesOfAFewRoofs) {
   EXPECT_LT(error({}, true, &radius), 1.03 * error(narrow, true, &none));
 }
 
+TEST(NoisyClouds, TooFewPointsForAScaleHaveNormals) {
+  Scan scan;
+  for (int i = 0; i < 20; ++i) scan.points.emplace_back(i % 5, i / 5, 0.5 * (i % 5));
+  const Surface s = make_surface(scan, {});
+  EXPECT_TRUE(std::isnan(s.scale.noise));
+  const Vec3 normal = Vec3(-0.5, 0, 1).normalized();
+  for (const Vec3& u : s.u) EXPECT_NEAR(std::abs(u.dot(normal)), 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace kappa
