@@ -115,11 +115,12 @@ class RunFits {
     if (fit_ == NormalFit::Plane || plane.normal.isZero(0)) return;
     const double growth = growth_of_ball(plane.offset / radius_, ball_.count);
     const QuadricFit quadric = quadric_through(ball_, radius_, plane.normal);
-    if (std::isfinite(most_variance_) && quadric.variance() > most_variance_) {
+    const QuadricFit::Fitted fitted = quadric.fitted();
+    if (fitted.variance > most_variance_) {
       normals[point].setZero();
       return;
     }
-    normals[point] = quadric.normal_or(plane.normal);
+    normals[point] = fitted.normal.isZero(0) ? plane.normal : fitted.normal;
     if (growth > 1) lopsided_.push_back({point, growth, plane.normal, quadric});
   }
 

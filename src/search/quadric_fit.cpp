@@ -79,17 +79,21 @@ const QuadricFit& better_fit(const QuadricFit& smaller, const QuadricFit& larger
   return larger.variance() <= kSame * smaller.variance() ? larger : smaller;
 }
 
-Vec3 QuadricFit::normal() const {
-  if (count_ < kLeastForQuadric) return Vec3::Zero();
+QuadricFit::Fitted QuadricFit::fitted() const {
+  if (count_ < kLeastForQuadric) return {Vec3::Zero(), variance()};
   const Eigen::LLT<Mat6> solver(normal_);
-  if (solver.info() != Eigen::Success) return Vec3::Zero();
+  if (solver.info() != Eigen::Success) return {Vec3::Zero(), variance()};
+  const Vec6 half_way = solver.matrixL().solve(right_);
+  const double residuals = std::max(0.0, square_ - half_way.squaredNorm()) / static_cast<double>(count_ - 6);
+  Fitted result = {Vec3::Zero(), residuals * unit_ * unit_};
   const auto variance_of = [&](int i) { return solver.matrixL().solve(Vec6::Unit(i)).squaredNorm(); };
   const double of_quadric = variance_of(1) + variance_of(2);
   const Mat3 plane = normal_.topLeftCorner<3, 3>().inverse();
   const double of_plane = plane(1, 1) + plane(2, 2);
-  if (!(of_quadric > 0 && of_quadric <= kUncertain * kUncertain * of_plane)) return Vec3::Zero();
-  const Vec6 c = solver.solve(right_);
-  return (frame_ * Vec3(-c[1], -c[2], 1)).normalized();
+  if (!(of_quadric > 0 && of_quadric <= kUncertain * kUncertain * of_plane)) return result;
+  const Vec6 c = solver.matrixU().solve(half_way);
+  result.normal = (frame_ * Vec3(-c[1], -c[2], 1)).normalized();
+  return result;
 }
 
 }  // namespace kappa

@@ -44,9 +44,15 @@ class QuadricFit {
   /// Unit normal over the place of the frame, on the side of its third axis. The zero vector where the points do not
   /// fix a quadric: fewer than kLeastForQuadric, or its slopes more than kUncertain times as uncertain (by standard
   /// deviation) as those of a plane through the same points.
-  Vec3 normal() const;
+  Vec3 normal() const { return fitted().normal; }
   Vec3 normal_or(const Vec3& plane) const;  ///< the other where there is none
-  double normal_variance() const;           ///< of both slopes together, for noise of variance 1
+  /// The normal, and variance() at little more cost.
+  struct Fitted {
+    Vec3 normal;
+    double variance;
+  };
+  Fitted fitted() const;
+  double normal_variance() const;  ///< of both slopes together, for noise of variance 1
   static constexpr std::size_t kLeastForQuadric = 12;
   static constexpr double kUncertain = 10;
 
