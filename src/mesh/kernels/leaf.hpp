@@ -205,40 +205,54 @@ class Leaves {
   Leaves(const TreeView<Real>& tree, const double* centre) : tree_(tree), centre_(centre) {}
 
   /// Adds `count` leaves, at most kTogether, to one ball.
-  void add(const Rim<Real>& rim, const std::uint32_t* leaves, int count) const {
-    Met met[kTogether];
-    Found found[kTogether];
-    int open[kTogether], opened = 0;
-    for (int i = 0; i < count; ++i) {
-      meet(tree_.leaves[leaves[i]], centre_, met[i]);
-      found[i] = look(rim, tree_.leaves[leaves[i]], met[i], left_from(leaves[i]));
-      open[opened] = i;
-      opened += found[i].perhaps != 0;
-    }
-    for (int k = 0; k < opened; ++k) settle(tree_.leaves[leaves[open[k]]], met[open[k]], found[open[k]]);
-    for (int i = 0; i < count; ++i) take<kMoments>(rim, tree_.leaves[leaves[i]], met[i], names_of(leaves[i]), found[i]);
+  void add(const std::uint32_t* leaves, int count, const Rim<Real>& rim) {
+    leaves_ = leaves;
+    add_those(
+        rim, count, [](int i) { return i; }, [&](int i) { meet(leaf(i), centre_, met_[i]); });
   }
 
-  /// Adds a leaf to one ball after the other, `rim_of(number)` for each.
+  /// Adds them to several balls, `rim_of(number)` each: to those of the range of radii that each leaf has.
   template <class RimOf>
-  void add(const RimOf& rim_of, std::uint32_t number, const Range& radii) const {
-    const Leaf<Real>& leaf = tree_.leaves[number];
-    Met m;
-    meet(leaf, centre_, m);
-    for (int radius = radii.first; radius < radii.last; ++radius) {
-      const Rim<Real> rim = rim_of(radius);
-      Found found = look(rim, leaf, m, left_from(number));
-      if (found.perhaps) settle(leaf, m, found);
-      take<kMoments>(rim, leaf, m, names_of(number), found);
+  void add(const std::uint32_t* leaves, int count, const RimOf& rim_of, int balls, const Range* radii) {
+    leaves_ = leaves;
+    for (int i = 0; i < count; ++i) meet(leaf(i), centre_, met_[i]);
+    for (int ball = 0; ball < balls; ++ball) {
+      int chosen[kTogether], meant = 0;
+      for (int i = 0; i < count; ++i) {
+        chosen[meant] = i;
+        meant += static_cast<int>(radii[i].first <= ball) & static_cast<int>(ball < radii[i].last);
+      }
+      add_those(
+          rim_of(ball), meant, [&](int k) { return chosen[k]; }, [](int) {});
     }
   }
 
  private:
-  static VF names_of(std::uint32_t leaf) { return numbers_from(kWidth * leaf); }
-  std::size_t left_from(std::uint32_t leaf) const { return tree_.triangles.count - std::size_t{kWidth} * leaf; }
+  /// Of the leaves `which(k)`, each made ready by `prepare`.
+  template <class Which, class Prepare>
+  [[gnu::always_inline]] void add_those(const Rim<Real>& rim, int count, const Which& which, const Prepare& prepare) {
+    Found found[kTogether];
+    int open[kTogether], opened = 0;
+    for (int k = 0; k < count; ++k) {
+      const int i = which(k);
+      prepare(i);
+      found[k] = look(rim, leaf(i), met_[i], tree_.triangles.count - std::size_t{kWidth} * leaves_[i]);
+      open[opened] = k;
+      opened += static_cast<int>(found[k].perhaps != 0);
+    }
+    for (int o = 0; o < opened; ++o) settle(leaf(which(open[o])), met_[which(open[o])], found[open[o]]);
+    for (int k = 0; k < count; ++k) {
+      const int i = which(k);
+      take<kMoments>(rim, leaf(i), met_[i], numbers_from(kWidth * leaves_[i]), found[k]);
+    }
+  }
+
+  const Leaf<Real>& leaf(int i) const { return tree_.leaves[leaves_[i]]; }
 
   const TreeView<Real>& tree_;
   const double* centre_;
+  const std::uint32_t* leaves_ = nullptr;
+  Met met_[kTogether];
 };
 
 }  // namespace

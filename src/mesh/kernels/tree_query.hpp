@@ -65,14 +65,7 @@ class Walk {
       }
       finish_level();
     }
-    if (kMany) {
-      for (std::size_t i = 0; i < found_; ++i) {
-        prefetch_leaf(visits_.nodes[now_][i + (i + kAhead < found_ ? kAhead : 0)]);
-        leaves_.add([&](int radius) { return rim_of(radius); }, visits_.nodes[now_][i], visits_.ranges[now_][i]);
-      }
-    } else {
-      add_leaves(visits_.nodes[now_], static_cast<int>(found_));
-    }
+    add_leaves<kMany>(static_cast<int>(found_));
   }
 
  private:
@@ -150,13 +143,19 @@ class Walk {
 
   Rim<Real> rim_of(int radius) const { return {tree_.triangles, query_, radius, query_.balls[radius]}; }
 
-  void add_leaves(const std::uint32_t* leaves, int count) const {
+  template <bool kMany>
+  void add_leaves(int count) {
     constexpr int kTogether = Leaves<Real, kMoments>::kTogether;
-    const Rim<Real> rim = rim_of(0);
+    const std::uint32_t* const leaves = visits_.nodes[now_];
     for (int first = 0; first < count; first += kTogether) {
       const int end = first + kTogether < count ? first + kTogether : count;
       for (int next = end; next < end + kTogether && next < count; ++next) prefetch_leaf(leaves[next]);
-      leaves_.add(rim, leaves + first, end - first);
+      if (kMany) {
+        const auto rims = [&](int radius) { return rim_of(radius); };
+        leaves_.add(leaves + first, end - first, rims, query_.count, visits_.ranges[now_] + first);
+      } else {
+        leaves_.add(leaves + first, end - first, rim_of(0));
+      }
     }
   }
 
