@@ -5,8 +5,8 @@
 #include "sums.hpp"
 #include "waiting.hpp"
 
-// What a ball gets from triangles near its sphere: they wait until there are as many as a vector has lanes, and are
-// measured together. Included by kernel files alone.
+// What a ball gets from triangles near its sphere: they wait until there are enough for several vectors, and are
+// measured together, step by step. Included by kernel files alone.
 
 namespace kappa::kernels {
 namespace {
@@ -114,6 +114,7 @@ struct Batch {
   Piece<V> piece;
 };
 
+/// Member by member: g++ copies whole structs in halves of vectors, which loads of whole ones then wait for.
 template <class V>
 [[gnu::always_inline]] inline void assign(const Vector3<V>& from, Vector3<V>& to) {
   to.x = from.x;
@@ -121,6 +122,7 @@ template <class V>
   to.z = from.z;
 }
 
+/// Fetches triangles, with the powers of their corners.
 template <class Real, class V>
 [[gnu::always_inline]] inline void place(const Rim<Real>& rim, int first, Batch<V>& b) {
   const InLanes<Real> from(rim, rim.ball.waiting, first);
@@ -135,7 +137,7 @@ template <class Real, class V>
   b.around.rise[0] = p.to_second, b.around.rise[1] = p.to_third - p.to_second, b.around.rise[2] = -p.to_third;
 }
 
-/// `count`: lanes that hold a triangle.
+/// Tells those inside, cut and outside apart. `count`: lanes that hold a triangle.
 template <class Real, class V>
 [[gnu::always_inline]] inline void tell(const Rim<Real>& rim, int count, Batch<V>& b) {
   const V zero = splat<V>(0), one = splat<V>(1), radius_sq = splat<V>(rim.ball.radius_sq);
@@ -157,6 +159,7 @@ template <class Real, class V>
   b.turn.third = turn.third;
 }
 
+/// Sets the pieces: whole triangles, parts of those cut where the cheap form is right, else nothing.
 template <class Real, bool kMoments, class V>
 [[gnu::always_inline]] inline void measure(const Rim<Real>& rim, Batch<V>& b) {
   const V zero = splat<V>(0), one = splat<V>(1);
