@@ -69,11 +69,8 @@ class Candidates {
 
 /// The plane of points about a centre.
 Plane plane_through(Ball& ball) {
-  std::array<double, kernels::kPlaneSums> s;  // x y z, xx xy xz yy yz zz
-  kernels::best_point_table().plane_sums(ball.columns(), ball.count, s.data());
-  Mat3 products;
-  products << s[3], s[4], s[5], s[4], s[6], s[7], s[5], s[7], s[8];
-  return plane_of_moments(ball.count, Vec3(s[0], s[1], s[2]), products);
+  const Moments m = moments_of(ball.columns(), ball.count);
+  return plane_of_moments(ball.count, m.sum, m.products);
 }
 
 /// Leaves the points of the ball turned into the frame of the plane.
@@ -175,6 +172,14 @@ bool find_least_direction(const Mat3& covariance, Vec3& direction) {
 }
 
 }  // namespace
+
+Moments moments_of(const kernels::PointColumns& points, std::size_t count) {
+  std::array<double, kernels::kPlaneSums> s;  // x y z, xx xy xz yy yz zz
+  kernels::best_point_table().plane_sums(points, count, s.data());
+  Moments m = {Vec3(s[0], s[1], s[2]), {}};
+  m.products << s[3], s[4], s[5], s[4], s[6], s[7], s[5], s[7], s[8];
+  return m;
+}
 
 Plane plane_of_moments(std::size_t count, const Vec3& sum, const Mat3& products) {
   Plane plane{Vec3::Zero(), sum.norm() / static_cast<double>(count)};

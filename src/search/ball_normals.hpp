@@ -6,16 +6,16 @@
 #include "kappa/core/execution.hpp"
 #include "kappa/core/types.hpp"
 #include "kappa/search/cloud_normals.hpp"
+#include "kernels/views.hpp"
 
 namespace kappa {
 
 class PointBlocks;
 
 /// Fits to the distinct points in the closed ball of `radius` around each; the zero vector where they are fewer than
-/// `least` or do not span a plane. Of more than kMostInBall candidates around a point every m-th is taken.
-/// Points that follow each other share their candidates: many times faster than a search for as many nearest
-/// neighbours.
-/// Zero too where the residuals of a quadric have more than `most_variance`.
+/// `least`, do not span a plane, or leave a quadric residuals of more than `most_variance`. Of more than kMostInBall
+/// candidates around a point every m-th is taken. Points that follow each other share their candidates: many times
+/// faster than a search for as many nearest neighbours.
 Normals ball_normals(const PointBlocks& points, double radius, std::size_t least, NormalFit fit, double most_variance,
                      const Execution& run);
 inline constexpr std::size_t kMostInBall = 8192;
@@ -35,5 +35,12 @@ struct Plane {
 
 /// Of `count` points of first moments `sum` and second moments `products` about a place among them.
 Plane plane_of_moments(std::size_t count, const Vec3& sum, const Mat3& products);
+
+/// First and second moments of points about their origin.
+struct Moments {
+  Vec3 sum;
+  Mat3 products;
+};
+Moments moments_of(const kernels::PointColumns& points, std::size_t count);
 
 }  // namespace kappa

@@ -54,12 +54,8 @@ double without_quartic_part(const QuadricFit::Curvature& quadric, double r) {
 /// Fits to the points of one ball, as columns; leaves them turned. With the normal on the side of `towards`, if that is
 /// not zero.
 BallFit fit_ball(const kernels::PointColumns& points, std::size_t count, double radius, const Vec3& towards) {
-  std::array<double, kernels::kPlaneSums> s;  // x y z, xx xy xz yy yz zz
-  kernels::best_point_table().plane_sums(points, count, s.data());
-  const Vec3 sum(s[0], s[1], s[2]);
-  Mat3 products;
-  products << s[3], s[4], s[5], s[4], s[6], s[7], s[5], s[7], s[8];
-  Vec3 plane = plane_of_moments(count, sum, products).normal;
+  const Moments m = moments_of(points, count);
+  Vec3 plane = plane_of_moments(count, m.sum, m.products).normal;
   if (plane.isZero(0)) return {};
   if (plane.dot(towards) < 0) plane = -plane;
   QuadricFit quadric(frame_around(plane), radius);
@@ -72,7 +68,7 @@ BallFit fit_ball(const kernels::PointColumns& points, std::size_t count, double 
   fit.mean_variance = curvature.variance;
   // The centroid of half a disc lies 0.42 radii from its centre; noise and curvature move it across the plane alone.
   constexpr double kLopsided = 0.2;
-  const Vec3 along = sum - sum.dot(plane) * plane;
+  const Vec3 along = m.sum - m.sum.dot(plane) * plane;
   fit.lopsided = along.norm() > kLopsided * radius * static_cast<double>(count);
   return fit;
 }

@@ -88,7 +88,7 @@ TEST(NoisyClouds, ScaleIsFoundWhereNoiseIsAsRoughAsTheSpacing) {
   }
 }
 
-/// Fits to 24 points have up to five times the error, those within five spacings up to twice.
+/// Fits to 24 points have more than twice the error; those within five spacings are hardly better, if at all.
 TEST(NoisyClouds, FitsAreAsWideAsTheNoiseAsks) {
   for (const double noise : {kNoises[0], kNoises[2]}) {
     const NoisyTorus torus(noise);

@@ -190,7 +190,7 @@ template <bool kMoments>
 template <bool kMoments>
 [[gnu::always_inline]] inline void take(const Rim<double>& rim, const Leaf<double>&, const Met&, VF names,
                                         const Found& found) {
-  let_inside_wait(rim, names, found.inside);
+  rim.ball.faces += let_whole_wait(rim.ball, rim.triangles.measures, names, found.inside);
   let_wait(rim.ball.waiting, Compression<VF>(found.near), names, found.near);
   make_room<kMoments>(rim);
 }

@@ -229,10 +229,5 @@ inline void make_room(const Rim<Real>& rim) {
   if (rim.ball.waiting.count >= kRim) add_most<kMoments>(rim);
 }
 
-/// Lets triangles in the lanes of `mask` wait whose stored measures count as they are.
-inline void let_inside_wait(const Rim<double>& rim, VF names, unsigned mask) {
-  rim.ball.faces += let_whole_wait(rim.ball, rim.triangles.measures, names, mask);
-}
-
 }  // namespace
 }  // namespace kappa::kernels
