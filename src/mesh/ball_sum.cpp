@@ -54,7 +54,7 @@ struct Keyed {
 /// Sorts by key and leaves the order of equal keys: digit by digit, the last first, but for digits that are the same in
 /// all keys.
 void sort_by_key(std::vector<Keyed>& keyed) {
-  constexpr int kBits = 11;
+  constexpr int kBits = 11, kPasses = 6;  // of 64 bits
   constexpr std::size_t kDigits = std::size_t{1} << kBits;
   const auto less = [](const Keyed& a, const Keyed& b) { return a.key < b.key; };
   if (std::is_sorted(keyed.begin(), keyed.end(), less)) return;
@@ -62,15 +62,18 @@ void sort_by_key(std::vector<Keyed>& keyed) {
     std::stable_sort(keyed.begin(), keyed.end(), less);
     return;
   }
+  const auto digit = [](const Keyed& entry, int pass) { return entry.key >> kBits * pass & (kDigits - 1); };
+  std::vector<std::array<Index, kDigits>> places(kPasses);  // of each digit, how many there are; then where they start
+  for (const Keyed& entry : keyed) {
+    for (int pass = 0; pass < kPasses; ++pass) ++places[static_cast<std::size_t>(pass)][digit(entry, pass)];
+  }
   std::vector<Keyed> sorted(keyed.size());
-  for (int shift = 0; shift < 64; shift += kBits) {
-    const auto digit = [&](const Keyed& entry) { return entry.key >> shift & (kDigits - 1); };
-    std::array<std::size_t, kDigits> first{};
-    for (const Keyed& entry : keyed) ++first[digit(entry)];
-    if (first[digit(keyed[0])] == keyed.size()) continue;
-    std::size_t before = 0;
-    for (std::size_t& place : first) before += std::exchange(place, before);
-    for (const Keyed& entry : keyed) sorted[first[digit(entry)]++] = entry;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    auto& first = places[static_cast<std::size_t>(pass)];
+    if (first[digit(keyed[0], pass)] == keyed.size()) continue;
+    Index before = 0;
+    for (Index& place : first) before += std::exchange(place, before);
+    for (const Keyed& entry : keyed) sorted[first[digit(entry, pass)]++] = entry;
     keyed.swap(sorted);
   }
 }

@@ -102,6 +102,7 @@ class BallWorkspace {
     constexpr double kLittle = 4e-3;
     for (std::size_t r = 0; r < balls_.size(); ++r) {
       const kernels::Gathering<Real>& b = balls_[r];
+      if (b.measured == 0) continue;
       const double edges_sq = std::accumulate(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
       const double of_lanes = std::accumulate(std::begin(b.lanes[0]), std::end(b.lanes[0]), 0.0);
       const double little = kLittle * radii_.radii[r] * b.unit;

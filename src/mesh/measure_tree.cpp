@@ -19,8 +19,9 @@ using kernels::TreeView;
 constexpr std::size_t kBlock = 64;
 constexpr std::size_t kTogether = 16;  ///< queries that share the way to where they start
 
-/// The triangles in the order of the tree.
-MeasuredTriangles in_order(MeasuredTriangles t) {
+/// The triangles in the order of the tree. Where their measures follow from the rest they are computed anew in their
+/// place: a second array of them would be the largest thing that a run ever holds, and takes longer to fill.
+MeasuredTriangles in_order(MeasuredTriangles t, const kernels::Table& table) {
   const std::vector<Index> order = tree_order(t);
   const auto apply = [&](auto& values) {
     if (values.empty()) return;
@@ -31,9 +32,13 @@ MeasuredTriangles in_order(MeasuredTriangles t) {
   };
   apply(t.corners);
   apply(t.weights);
-  apply(t.measures);
   apply(t.beside);
   apply(t.faces);
+  if (!t.beside.empty()) {
+    apply(t.measures);
+  } else if (!t.measures.empty()) {
+    table.measure(view_of(t), 0, t.size(), &t.measures[0].area);
+  }
   return t;
 }
 
@@ -192,7 +197,7 @@ struct MeasureTree::Impl {
   kernels::TriangleView view;
 
   Impl(MeasuredTriangles measured, Precision precision, const kernels::Table& kernels)
-      : triangles(in_order(std::move(measured))), table(kernels) {
+      : triangles(in_order(std::move(measured), kernels)), table(kernels) {
     if (precision == Precision::Double) {
       in_double = std::make_unique<Hierarchy<double>>(triangles);
     } else {
