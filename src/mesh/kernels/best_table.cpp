@@ -5,7 +5,7 @@ namespace kappa::kernels {
 
 const Table& best_table() {
 #if defined(KAPPA_AVX2_KERNELS)
-  if (__builtin_cpu_supports("avx2")) return avx2_table();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2_table();
 #endif
   return baseline_table();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "faces.hpp"
 #include "rim.hpp"
 
 // Triangles that a search has chosen, without a tree. Included by kernel files alone.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "chosen.hpp"
+#include "faces.hpp"
 #include "tree_query.hpp"
 
 namespace kappa::kernels {

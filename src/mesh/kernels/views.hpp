@@ -167,7 +167,8 @@ struct BallQuery {
   void* context;
 };
 
-/// The kernels of one instruction set. All give the same bits.
+/// The kernels of one instruction set. Measures have the same bits in all; sums over balls agree to a few roundings,
+/// for some fuse products and sums.
 struct Table {
   /// Where queries with centres between `lo` and `hi` and radii up to `radius` start. It changes no bit of them.
   void (*approach)(const NodeView& tree, const double* lo, const double* hi, double radius, Start& start);
@@ -184,7 +185,10 @@ struct Table {
 
 const Table& baseline_table();
 #if defined(KAPPA_AVX2_KERNELS)
+/// With fused multiply-add.
 const Table& avx2_table();
+/// Its measures, without: an area of nothing is to be 0.
+void measure_avx2(const TriangleView& triangles, std::size_t begin, std::size_t end, double* out);
 #endif
 
 /// The table for this processor.
