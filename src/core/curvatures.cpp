@@ -17,9 +17,10 @@ struct Eigen2 {
 Eigen2 eigen_symmetric(double a, double b, double c) {
   const double centre = 0.5 * (a + c), half = 0.5 * (a - c);
   const double radius = std::hypot(half, b);
-  // The angle of the eigenvector of the higher value; stable for every a, b, c.
-  const double angle = 0.5 * std::atan2(b, half);
-  const Vec2 high(std::cos(angle), std::sin(angle));
+  if (radius == 0) return {centre, centre, Vec2(0, 1), Vec2(1, 0)};
+  // Half of the angle of (half, b), from the sum that does not cancel.
+  const double larger = std::sqrt(0.5 + 0.5 * std::abs(half) / radius), smaller = 0.5 * b / (radius * larger);
+  const Vec2 high = half >= 0 ? Vec2(larger, smaller) : Vec2(std::abs(smaller), std::copysign(larger, b));
   return {centre - radius, centre + radius, Vec2(-high.y(), high.x()), high};
 }
 
