@@ -34,8 +34,6 @@ if(KAPPA_PCL OR (KAPPA_IO AND KAPPA_TESTS))
   find_package(PCL 1.13 QUIET REQUIRED COMPONENTS common kdtree octree search sample_consensus filters)
   find_library(KAPPA_PCL_FEATURES_LIBRARY pcl_features REQUIRED)
   find_library(KAPPA_PCL_IO_LIBRARY pcl_io REQUIRED)
-  find_library(KAPPA_PCL_SEGMENTATION_LIBRARY pcl_segmentation REQUIRED)
-  find_library(KAPPA_PCL_SURFACE_LIBRARY pcl_surface REQUIRED)
 endif()
 
 if(KAPPA_TESTS)

@@ -9,6 +9,8 @@
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/gp3.h>
 
+#include <pcl/surface/impl/gp3.hpp>  // instantiated here: see ground.cpp
+
 #include "kappa/core/error.hpp"
 #include "kappa/search/cloud_normals.hpp"
 #include "kappa/search/neighbours.hpp"

@@ -8,6 +8,11 @@
 #include <pcl/point_types.h>
 #include <pcl/segmentation/progressive_morphological_filter.h>
 
+// Instantiated here: the library that has the filter brings four others, whose symbols took most of the time in which
+// the program starts.
+#include <pcl/filters/impl/morphological_filter.hpp>
+#include <pcl/segmentation/impl/progressive_morphological_filter.hpp>
+
 #include "kappa/core/error.hpp"
 
 namespace kappa {
