@@ -34,23 +34,31 @@ class Candidates {
 
   void gather(const PointRun& run, double radius) {
     points_.near_box(run.low, run.high, radius, near_);
-    from_ = {points_.blocks(), near_.blocks.data(), near_.blocks.size()};
-    if (from_.places() > kMostInBall) thin_out();
+    thinned_.clear();
+    if (places() > kMostInBall) thin_out();
   }
 
-  /// Those in the ball.
-  void select(const Vec3& centre, double radius, Ball& ball) const {
-    for (auto& axis : ball.x) axis.resize(std::max(axis.size(), from_.places() + kernels::kBlockPoints));
-    ball.count = kernels::best_point_table().select(from_, centre.data(), radius * radius, ball.columns());
+  /// Those in the ball, which must lie in one of the balls that they were gathered for.
+  void select(const Vec3& centre, double radius, Ball& ball) {
+    const kernels::ChosenBlocks from = near(centre, radius);
+    for (auto& axis : ball.x) axis.resize(std::max(axis.size(), from.places() + kernels::kBlockPoints));
+    ball.count = kernels::best_point_table().select(from, centre.data(), radius * radius, ball.columns());
   }
 
  private:
+  std::size_t places() const { return near_.blocks.size() * kernels::kBlockPoints; }
+
+  kernels::ChosenBlocks near(const Vec3& centre, double radius) {
+    if (!thinned_.empty()) return {thinned_.data(), near_.blocks.data(), near_.blocks.size()};
+    const std::size_t count = points_.near_ball(centre, radius, near_);
+    return {points_.blocks(), near_.of_ball.data(), count};
+  }
+
   /// Every m-th point alone.
   void thin_out() {
-    const std::size_t step = (from_.places() + kMostInBall - 1) / kMostInBall;
+    const std::size_t step = (places() + kMostInBall - 1) / kMostInBall;
     std::size_t kept = 0;
-    thinned_.clear();
-    for (std::size_t i = 0; i < from_.places(); i += step, ++kept) {
+    for (std::size_t i = 0; i < places(); i += step, ++kept) {
       const std::size_t place = kept % kernels::kBlockPoints, from = i % kernels::kBlockPoints;
       const kernels::PointBlock& block = points_.blocks()[near_.blocks[i / kernels::kBlockPoints]];
       if (place == 0) thinned_.push_back(empty_block());
@@ -58,13 +66,11 @@ class Candidates {
     }
     near_.blocks.resize(thinned_.size());
     std::iota(near_.blocks.begin(), near_.blocks.end(), std::uint32_t{0});
-    from_ = {thinned_.data(), near_.blocks.data(), near_.blocks.size()};
   }
 
   const PointBlocks& points_;
   PointBlocks::Work near_;
   std::vector<kernels::PointBlock> thinned_;
-  kernels::ChosenBlocks from_{};
 };
 
 /// The plane of points about a centre.

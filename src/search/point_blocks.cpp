@@ -95,6 +95,14 @@ void PointBlocks::near_box(const Vec3& low, const Vec3& high, double distance, W
   }
 }
 
+std::size_t PointBlocks::near_ball(const Vec3& centre, double radius, Work& work) const {
+  if (levels_.empty()) return 0;
+  const std::size_t room = kChildren * work.opened.size() + kChildren;
+  if (work.of_ball.size() < room) work.of_ball.resize(room);
+  return kernels::best_point_table().open(levels_[0].data(), work.opened.data(), work.opened.size(), centre.data(),
+                                          centre.data(), radius * radius, work.of_ball.data());
+}
+
 std::size_t PointBlocks::measure(const Vec3& centre, double radius, Work& work) const {
   const kernels::ChosenBlocks from{blocks_.data(), work.blocks.data(), work.blocks.size()};
   work.points.resize(std::max(work.points.size(), from.places() + kBlockPoints));

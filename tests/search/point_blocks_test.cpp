@@ -98,6 +98,27 @@ TEST(PointBlocks, WithinAreThoseOfAFullScan) {
   }
 }
 
+/// Among the blocks near a run they are those that a search for the ball alone finds.
+TEST(PointBlocks, BlocksNearABallOfARun) {
+  PointBlocks::Work of_run, alone;
+  for (const auto& [name, points] : clouds()) {
+    const PointBlocks blocks(points);
+    for (const double radius : {0.0, 0.05, 5.0, 1e200}) {
+      for (std::size_t q = 0; q < points.size(); q += 97) {
+        const PointRun run(blocks, q, 32, radius);
+        blocks.near_box(run.low, run.high, radius, of_run);
+        for (std::size_t i = q; i < run.end; ++i) {
+          const std::size_t count = blocks.near_ball(points[i], radius, of_run);
+          const std::vector<std::uint32_t> found(of_run.of_ball.begin(),
+                                                 of_run.of_ball.begin() + std::ptrdiff_t(count));
+          blocks.near_box(points[i], points[i], radius, alone);
+          ASSERT_EQ(found, alone.blocks) << name << " point " << i << " radius " << radius;
+        }
+      }
+    }
+  }
+}
+
 TEST(PointBlocks, NothingIsFoundAmongNoPoints) {
   const PointBlocks blocks{std::vector<Vec3>()};
   PointBlocks::Work work;
@@ -107,6 +128,7 @@ TEST(PointBlocks, NothingIsFoundAmongNoPoints) {
   EXPECT_TRUE(indices.empty());
   blocks.within(Vec3::Zero(), 1, indices, distances_sq, work);
   EXPECT_TRUE(indices.empty() && distances_sq.empty());
+  EXPECT_EQ(blocks.near_ball(Vec3::Zero(), 1, work), 0U);
 }
 
 TEST(PointBlocks, RunsFindWhatEachPointFindsAlone) {
@@ -148,6 +170,34 @@ TEST(PointKernels, GiveTheBitsOfTheBaseline) {
   for (const double radius : {0.0, 0.02, 0.1, 0.5}) {
     blocks.near_box(points[100], points[100], radius, work);
     EXPECT_EQ(sums(best, radius), sums(baseline, radius)) << radius;
+  }
+}
+
+TEST(PointKernels, OpenTheBoxesThatAreMet) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<kernels::PointBoxes> level(5);
+  const std::vector<std::uint32_t> nodes = {0, 3, 4};
+  std::vector<std::uint32_t> expected;
+  const double low[3] = {-0.2, -0.3, -0.1}, high[3] = {0.1, 0, 0.2}, distance_sq = 0.25;
+  for (std::size_t i = 0; i < 8 * level.size(); ++i) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool nothing = i % 8 > 5;
+      const double a = uniform(random), b = a + 0.3;
+      level[i / 8].low[axis][i % 8] = nothing ? kInfinity : a;
+      level[i / 8].high[axis][i % 8] = nothing ? -kInfinity : b;
+      sum += nothing ? kInfinity : std::pow(std::max({a - high[axis], low[axis] - b, 0.0}), 2);
+    }
+    const auto node = static_cast<std::uint32_t>(i / 8);
+    if (sum <= distance_sq && std::count(nodes.begin(), nodes.end(), node)) expected.push_back(std::uint32_t(i));
+  }
+  EXPECT_GT(expected.size(), 3U);
+  for (const auto* table : {&kernels::best_point_table(), &kernels::baseline_point_table()}) {
+    std::vector<std::uint32_t> found(8 * nodes.size() + 8);
+    found.resize(table->open(level.data(), nodes.data(), nodes.size(), low, high, distance_sq, found.data()));
+    EXPECT_EQ(found, expected);
   }
 }
 

@@ -17,12 +17,25 @@ inline double finite(double distance_sq) {
   return distance_sq < kMost ? distance_sq : kMost;
 }
 
+/// Eight whole numbers, as they lie in memory.
+inline VF numbers_from(std::uint32_t first) {
+  typedef std::uint32_t Numbers __attribute__((vector_size(32)));
+  return reinterpret_cast<VF>(first + Numbers{0, 1, 2, 3, 4, 5, 6, 7});
+}
+
+/// A box in all lanes.
+struct SpreadBox {
+  VD low[3], high[3];
+  SpreadBox(const double* from, const double* to)
+      : low{spread(from[0]), spread(from[1]), spread(from[2])}, high{spread(to[0]), spread(to[1]), spread(to[2])} {}
+};
+
 /// Squared distances of four boxes from another one. No distance of their points is rounded to less: it is computed
 /// from differences that are as large, in the same order.
-inline VD gaps_sq(const PointBoxes& boxes, std::size_t at, const double* from, const double* to) {
+inline VD gaps_sq(const PointBoxes& boxes, std::size_t at, const SpreadBox& box) {
   const auto gap = [&](int axis) {
-    const VD below = load<VD>(boxes.low[axis] + at) - spread(to[axis]);
-    const VD above = spread(from[axis]) - load<VD>(boxes.high[axis] + at);
+    const VD below = load<VD>(boxes.low[axis] + at) - box.high[axis];
+    const VD above = box.low[axis] - load<VD>(boxes.high[axis] + at);
     return max(max(below, above), VD{});
   };
   const Vector3<VD> d = {gap(0), gap(1), gap(2)};
@@ -31,44 +44,61 @@ inline VD gaps_sq(const PointBoxes& boxes, std::size_t at, const double* from, c
 
 inline std::size_t open_nodes(const PointBoxes* level, const std::uint32_t* nodes, std::size_t count, const double* low,
                               const double* high, double distance_sq, std::uint32_t* children) {
+  const SpreadBox box(low, high);
   const VD most = spread(finite(distance_sq));
   std::size_t found = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::uint32_t at = 0; at < 8; at += kStep) {
-      const std::uint32_t first = 8 * nodes[i] + at;
-      for (unsigned met = bits(gaps_sq(level[nodes[i]], at, low, high) <= most); met != 0; met &= met - 1)
-        children[found++] = first + static_cast<std::uint32_t>(__builtin_ctz(met));
-    }
+    const auto met = [&](std::size_t at) { return bits(gaps_sq(level[nodes[i]], at, box) <= most) << at; };
+    const unsigned all = met(0) | met(kStep);
+    // Without a branch: how many are met is hard to foresee.
+    store(children + found, Compression<VF>(all)(numbers_from(8 * nodes[i])));
+    found += static_cast<std::size_t>(__builtin_popcount(all));
   }
   return found;
 }
 
-/// Calls `use` for four places after the other with a mask of those in the ball, where they lie relative to its centre,
-/// their squared distances, and the index of the first.
+/// Four places of a block: where they lie relative to the centre of a ball, their squared distances, and a mask of
+/// those inside.
+struct Four {
+  Vector3<VD> d;
+  VD distance_sq;
+  unsigned inside;
+
+  std::size_t count() const { return static_cast<std::size_t>(__builtin_popcount(inside)); }
+};
+
+/// Calls `use` for four places after the other, with the index of the first.
 template <class Use>
-inline void for_each_four(const ChosenBlocks& from, const double* centre, double radius_sq, const Use& use) {
+[[gnu::always_inline]] inline void for_each_four(const ChosenBlocks& from, const double* centre, double radius_sq,
+                                                 const Use& use) {
   const VD cx = spread(centre[0]), cy = spread(centre[1]), cz = spread(centre[2]);
   const VD most = spread(finite(radius_sq));
-  for (std::size_t i = 0; i < from.count; ++i) {
-    const PointBlock& block = from.blocks[from.chosen[i]];
-    for (std::size_t at = 0; at < kBlockPoints; at += kStep) {
+  const PointBlock* const blocks = from.blocks;
+  for (const std::uint32_t *chosen = from.chosen, *end = chosen + from.count; chosen != end; ++chosen) {
+    const auto four = [&](std::size_t at) {
+      const PointBlock& block = blocks[*chosen];
       const Vector3<VD> d = {load<VD>(block.x[0] + at) - cx, load<VD>(block.x[1] + at) - cy,
                              load<VD>(block.x[2] + at) - cz};
       const VD distance_sq = dot(d, d);
-      use(bits(distance_sq <= most), d, distance_sq, from.chosen[i] * kBlockPoints + at);
-    }
+      return Four{d, distance_sq, bits(distance_sq <= most)};
+    };
+    const std::size_t first = std::size_t{kBlockPoints} * *chosen;
+    const Four a = four(0), b = four(kStep);  // both before anything is stored
+    use(a, first);
+    use(b, first + kStep);
   }
 }
 
 inline std::size_t select_points(const ChosenBlocks& from, const double* centre, double radius_sq,
                                  const PointColumns& to) {
+  const PointColumns columns = to;
   std::size_t count = 0;
-  for_each_four(from, centre, radius_sq, [&](unsigned inside, const Vector3<VD>& d, const VD&, std::size_t) {
-    const Compression<VD> compressed(inside);
-    store(to.x + count, compressed(d.x));
-    store(to.y + count, compressed(d.y));
-    store(to.z + count, compressed(d.z));
-    count += static_cast<std::size_t>(__builtin_popcount(inside));
+  for_each_four(from, centre, radius_sq, [&](const Four& four, std::size_t) {
+    const Compression<VD> compressed(four.inside);
+    store(columns.x + count, compressed(four.d.x));
+    store(columns.y + count, compressed(four.d.y));
+    store(columns.z + count, compressed(four.d.z));
+    count += four.count();
   });
   return count;
 }
@@ -76,13 +106,12 @@ inline std::size_t select_points(const ChosenBlocks& from, const double* centre,
 inline std::size_t measure_points(const ChosenBlocks& from, const double* centre, double radius_sq, double* points,
                                   double* distances_sq) {
   std::size_t count = 0;
-  for_each_four(from, centre, radius_sq,
-                [&](unsigned inside, const Vector3<VD>&, const VD& distance_sq, std::size_t first) {
-                  const Compression<VD> compressed(inside);
-                  store(points + count, compressed(spread(static_cast<double>(first)) + VD{0, 1, 2, 3}));
-                  store(distances_sq + count, compressed(distance_sq));
-                  count += static_cast<std::size_t>(__builtin_popcount(inside));
-                });
+  for_each_four(from, centre, radius_sq, [&](const Four& four, std::size_t first) {
+    const Compression<VD> compressed(four.inside);
+    store(points + count, compressed(spread(static_cast<double>(first)) + VD{0, 1, 2, 3}));
+    store(distances_sq + count, compressed(four.distance_sq));
+    count += four.count();
+  });
   return count;
 }
 

@@ -41,7 +41,7 @@ inline constexpr std::size_t kQuadricSums = 21;  ///< x y xx xy yy, z zx zy zxx 
 /// The kernels of one instruction set. All give the same bits.
 struct PointTable {
   /// Children of some nodes of a level that come within a distance of the box from `low` to `high`, in the order of the
-  /// nodes; how many they are. There is room for all, and 4 more.
+  /// nodes; how many they are. There is room for all, and 8 more.
   std::size_t (*open)(const PointBoxes* level, const std::uint32_t* nodes, std::size_t count, const double* low,
                       const double* high, double distance_sq, std::uint32_t* children);
   /// Points of the chosen blocks within the closed ball, relative to its centre; how many they are.
