@@ -116,12 +116,18 @@ inline std::size_t measure_points(const ChosenBlocks& from, const double* centre
 }
 
 inline void rank_values(const double* values, std::size_t count, std::uint32_t* ranks) {
-  for (std::size_t i = 0; i < count; i += kStep) {
-    const VD four = load<VD>(values + i);
-    MD smaller{};  // a lane of a comparison is -1 where it holds
-    for (std::size_t j = 0; j < count; ++j) smaller -= spread(values[j]) < four;
-    for (int lane = 0; lane < static_cast<int>(kStep); ++lane)
+  for (std::size_t i = 0; i < count; i += 2 * kStep) {
+    const VD four = load<VD>(values + i), next = load<VD>(values + i + kStep);
+    MD smaller{}, than_next{};  // a lane of a comparison is -1 where it holds
+    for (std::size_t j = 0; j < count; ++j) {
+      const VD value = spread(values[j]);
+      smaller -= value < four;
+      than_next -= value < next;
+    }
+    for (int lane = 0; lane < static_cast<int>(kStep); ++lane) {
       ranks[i + lane] = static_cast<std::uint32_t>(smaller[lane]);
+      ranks[i + kStep + lane] = static_cast<std::uint32_t>(than_next[lane]);
+    }
   }
 }
 
