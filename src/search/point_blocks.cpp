@@ -287,14 +287,17 @@ bool NearestInRuns::find_in_reach(const Vec3& centre, double reach, PointBlocks:
   if (count < k_ || count > kMostRanked + 2 * k_) return false;
   ranks_.resize(count + kBlockPoints);
   kernels::best_point_table().rank(work.distances_sq.data(), count, ranks_.data());
-  indices_.assign(k_, kNoIndex);
-  distances_sq_.resize(k_);
+  order_.assign(count, kNoIndex);
   for (std::size_t n = 0; n < count; ++n) {
     std::size_t at = ranks_[n];
-    while (at < k_ && indices_[at] != kNoIndex) ++at;  // equally far
-    if (at >= k_) continue;
-    indices_[at] = static_cast<Index>(work.points[n]);
-    distances_sq_[at] = work.distances_sq[n];
+    while (order_[at] != kNoIndex) ++at;  // equally far
+    order_[at] = static_cast<std::uint32_t>(n);
+  }
+  indices_.resize(k_);
+  distances_sq_.resize(k_);
+  for (std::size_t at = 0; at < k_; ++at) {
+    indices_[at] = static_cast<Index>(work.points[order_[at]]);
+    distances_sq_[at] = work.distances_sq[order_[at]];
   }
   return true;
 }

@@ -100,7 +100,7 @@ class NearestInRuns {
   const std::size_t k_;
   double reach_ = 0;  ///< within which the neighbours are looked for first
   PointBlocks::Work of_run_, of_point_;
-  std::vector<std::uint32_t> ranks_;
+  std::vector<std::uint32_t> ranks_, order_;  ///< of what lies in reach: places by distance, and what is at each
   std::vector<Index> indices_;
   std::vector<double> distances_sq_;
 };
