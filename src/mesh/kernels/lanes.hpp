@@ -315,5 +315,11 @@ inline void transpose(const VD (&rows)[4], VD (&columns)[4]) {
 #endif
 }
 
+/// Whole numbers one after the other, as they lie in memory: names of what is side by side.
+inline VF numbers_from(std::uint32_t first) {
+  typedef std::uint32_t Numbers __attribute__((vector_size(32)));
+  return reinterpret_cast<VF>(first + Numbers{0, 1, 2, 3, 4, 5, 6, 7});
+}
+
 }  // namespace
 }  // namespace kappa::kernels

@@ -34,12 +34,6 @@ inline void add_whole(Gathering<Real>& ball, const double* sums, std::uint32_t w
   if (ball.whole_count >= kWaiting) add_waiting(ball, sums);
 }
 
-/// Names in the lanes of a vector.
-inline VF numbers_from(std::uint32_t first) {
-  const auto i = static_cast<int>(first);
-  return reinterpret_cast<VF>(MF{0, 1, 2, 3, 4, 5, 6, 7} + MF{i, i, i, i, i, i, i, i});
-}
-
 /// Lets those in the lanes of `mask` wait, as add_whole() does.
 template <class Real>
 inline unsigned let_whole_wait(Gathering<Real>& ball, const double* sums, VF which, unsigned mask) {

@@ -17,12 +17,6 @@ inline double finite(double distance_sq) {
   return distance_sq < kMost ? distance_sq : kMost;
 }
 
-/// Eight whole numbers, as they lie in memory.
-inline VF numbers_from(std::uint32_t first) {
-  typedef std::uint32_t Numbers __attribute__((vector_size(32)));
-  return reinterpret_cast<VF>(first + Numbers{0, 1, 2, 3, 4, 5, 6, 7});
-}
-
 /// A box in all lanes.
 struct SpreadBox {
   VD low[3], high[3];
