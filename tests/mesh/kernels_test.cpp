@@ -82,7 +82,7 @@ TEST(Kernels, EveryInstructionSetGivesTheSameSums) {
   if (&kernels::best_table() == &kernels::baseline_table()) GTEST_SKIP() << "this processor has the baseline alone";
   const Shape s = shapes::torus(3, 1, 60, 41);
   const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
-  const Balls balls = {places(s.mesh, 200), {0.05, 0.3, 1.2, 5}};
+  const Balls balls = {places(s.mesh, 50), {0.05, 0.3, 1.2, 5}};
   expect_same_sums(t, balls, "torus");
   expect_same_fast_sums(t, balls, "torus");
   for (const shapes::Specimen& z : shapes::zoo()) {
