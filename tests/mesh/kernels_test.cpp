@@ -74,6 +74,9 @@ void expect_same_fast_sums(const MeasuredTriangles& t, const Balls& balls, const
       if (longest > 1000 * radius) continue;
       EXPECT_NEAR(a[i].sum.area, b[i].sum.area, size) << name << ", ball " << i;
       EXPECT_NEAR(a[i].sum.mu0, b[i].sum.mu0, size) << name << ", ball " << i;
+      EXPECT_NEAR(a[i].sum.mu1(), b[i].sum.mu1(), 1e-6 * std::max(radius, longest)) << name << ", ball " << i;
+      EXPECT_NEAR(a[i].sum.mu2, b[i].sum.mu2, 1e-6) << name << ", ball " << i;
+      EXPECT_EQ(a[i].face_count, b[i].face_count) << name << ", ball " << i;
     }
   }
 }

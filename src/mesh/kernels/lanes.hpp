@@ -288,14 +288,12 @@ struct Corners {
 /// Four vectors of three doubles, wherever they are.
 inline Vector3<VD> gathered_vectors(const double* const (&from)[4]) {
 #if defined(__AVX__)
-  const __m256i three = _mm256_setr_epi64x(-1, -1, -1, 0);
-  const __m256d a = _mm256_maskload_pd(from[0], three), b = _mm256_maskload_pd(from[1], three);
-  const __m256d c = _mm256_maskload_pd(from[2], three), d = _mm256_maskload_pd(from[3], three);
-  const __m256d xz_ab = _mm256_unpacklo_pd(a, b), xz_cd = _mm256_unpacklo_pd(c, d);
-  return {_mm256_permute2f128_pd(xz_ab, xz_cd, 0x20),
-          _mm256_insertf128_pd(_mm256_unpackhi_pd(a, b),
-                               _mm_unpackhi_pd(_mm256_castpd256_pd128(c), _mm256_castpd256_pd128(d)), 1),
-          _mm256_permute2f128_pd(xz_ab, xz_cd, 0x31)};
+  const auto pair = [](const double* low, const double* high) {
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);
+  };
+  const __m256d xy_ac = pair(from[0], from[2]), xy_bd = pair(from[1], from[3]);
+  const __m256d yz_ac = pair(from[0] + 1, from[2] + 1), yz_bd = pair(from[1] + 1, from[3] + 1);
+  return {_mm256_unpacklo_pd(xy_ac, xy_bd), _mm256_unpackhi_pd(xy_ac, xy_bd), _mm256_unpackhi_pd(yz_ac, yz_bd)};
 #else
   const auto row = [&](int axis) { return VD{from[0][axis], from[1][axis], from[2][axis], from[3][axis]}; };
   return {row(0), row(1), row(2)};
