@@ -20,22 +20,9 @@ namespace kappa {
 namespace {
 
 using shapes::Shape;
+using test::places;
 
 constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
-
-/// Vertices, and as many places off the surface, at most `count` each.
-std::vector<Vec3> places(const Mesh& mesh, std::size_t count, double spread) {
-  std::mt19937_64 random(7);
-  std::normal_distribution<double> normal(0, spread);
-  std::vector<Vec3> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3& x =
-        mesh.vertices[count < mesh.vertices.size() ? random() % mesh.vertices.size() : i % mesh.vertices.size()];
-    out.push_back(x);
-    out.push_back(x + Vec3(normal(random), normal(random), normal(random)));
-  }
-  return out;
-}
 
 void expect_brute_force(const MeasuredTriangles& t, const std::vector<Vec3>& centres, const std::vector<double>& radii,
                         const std::string& name, double tolerance = 1e-12) {
@@ -103,22 +90,8 @@ TEST(MeasureTree, EqualsBruteForceWithFacesOfEverySize) {
   expect_brute_force(t, places(s.mesh, 100, 0.2), {0.02, 0.12, 0.4, 1.4}, "all sizes", kFarCorners);
 }
 
-/// A wavy sheet of 8 x 8 quads with normals of their own.
-Shape quads() {
-  Shape s;
-  for (int i = 0; i < 9; ++i) {
-    for (int j = 0; j < 9; ++j) {
-      s.mesh.vertices.emplace_back(i, j, std::sin(0.7 * i) * std::cos(0.5 * j));
-      s.normals.push_back(Vec3(0.3 * std::sin(i), 0.2 * std::cos(j), 1).normalized());
-      const auto v = static_cast<Index>(9 * i + j);
-      if (i < 8 && j < 8) s.mesh.faces.add({v, v + 9, v + 10, v + 1});
-    }
-  }
-  return s;
-}
-
 TEST(MeasureTree, EqualsBruteForceOnBilinearQuads) {
-  const Shape s = quads();
+  const Shape s = shapes::wavy_quads();
   expect_brute_force(measure_triangles(s.mesh, s.normals, QuadMeasures::Bilinear), places(s.mesh, 81, 0.3),
                      {0.3, 1.1, 2.7}, "quads");
 }
@@ -337,71 +310,6 @@ TEST(MeasureTree, RelativeErrorsAreTheSameOverTwelveOrdersOfScale) {
   for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
     const std::vector<double> got = errors(scale);
     for (std::size_t v = 0; v < got.size(); ++v) EXPECT_NEAR(got[v], unit[v], 1e-9) << scale << " vertex " << v;
-  }
-}
-
-/// Largest differences of measures, relative, and of the mean curvature over its largest.
-void expect_fast_close(const Shape& s, double radius, BallDefinition ball,
-                       const kernels::Table& kernels = kernels::best_table()) {
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
-  const MeasureTree in_double(t), fast(t, Precision::Fast, kernels);
-  const auto exact = test::sums(in_double, s.mesh.vertices, {radius}, ball),
-             got = test::sums(fast, s.mesh.vertices, {radius}, ball);
-  double largest = 0, measures = 0, mean = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    const MeasureSum &a = exact[i].sum, &b = got[i].sum;
-    largest = std::max(largest, std::abs(a.mu1() / (2 * a.mu0)));
-    measures = std::max({measures, std::abs(b.mu0 / a.mu0 - 1), std::abs(b.area / a.area - 1)});
-    mean = std::max(mean, std::abs(a.mu1() / (2 * a.mu0) - b.mu1() / (2 * b.mu0)));
-  }
-  EXPECT_LE(measures, 1e-6) << "radius " << radius << " definition " << static_cast<int>(ball);
-  EXPECT_LE(mean, 5e-6 * largest) << "radius " << radius << " definition " << static_cast<int>(ball);
-  EXPECT_GT(measures, 0) << "the same numbers: nothing was computed in floats";
-}
-
-TEST(FastMeasureTree, StaysWithinItsBounds) {
-  Shape s = shapes::torus(3, 1, 160, 100);
-  for (const double radius : {0.12, 0.3, 1.0}) {
-    for (const BallDefinition ball : kBalls) expect_fast_close(s, radius, ball);
-  }
-  for (const BallDefinition ball : kBalls) expect_fast_close(s, 0.3, ball, kernels::baseline_table());
-  // Far from the origin, as georeferenced coordinates are.
-  for (Vec3& x : s.mesh.vertices) x += Vec3(4e3, -6e3, 1e3);
-  expect_fast_close(s, 0.3, BallDefinition::ExactDensity);
-}
-
-TEST(FastMeasureTree, ItsTrianglesHaveTheirMeasuresWithoutStoringThem) {
-  for (const shapes::Specimen& z : shapes::zoo()) {
-    const MeasuredTriangles t = measure_triangles(z.mesh, z.normals, QuadMeasures::Bilinear);
-    const MeasureTree in_double(t), fast(t, Precision::Fast);
-    EXPECT_TRUE(fast.triangles().measures.empty());
-    for (std::size_t i = 0; i < t.size(); ++i) {
-      const MeasureSum a = measures_of(in_double.triangles(), i), b = measures_of(fast.triangles(), i);
-      const auto& c = in_double.triangles().corners[i];
-      const auto& x = in_double.triangles().x;
-      const double size = (x[c[1]] - x[c[0]]).norm() + (x[c[2]] - x[c[0]]).norm();
-      EXPECT_NEAR(a.area, b.area, 1e-14 * size * size) << z.name << i;
-      EXPECT_NEAR(a.mu1(), b.mu1(), 1e-13 * size) << z.name << i;
-      EXPECT_NEAR(a.mu2, b.mu2, 1e-13) << z.name << i;
-    }
-  }
-}
-
-TEST(FastMeasureTree, StaysWithinItsBoundsOnBilinearQuads) {
-  const Shape s = quads();
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals, QuadMeasures::Bilinear);
-  const MeasureTree in_double(t), fast(t, Precision::Fast);
-  const std::vector<Vec3> centres = places(s.mesh, 81, 0.3);
-  for (const double radius : {0.3, 1.1, 2.7}) {
-    const auto a = test::sums(in_double, centres, {radius}, BallDefinition::ExactDensity);
-    const auto b = test::sums(fast, centres, {radius}, BallDefinition::ExactDensity);
-    for (std::size_t i = 0; i < centres.size(); ++i) {
-      const double size = 1e-6 * radius * radius;
-      EXPECT_NEAR(a[i].sum.area, b[i].sum.area, 4 * size) << radius << " " << i;
-      EXPECT_NEAR(a[i].sum.mu0, b[i].sum.mu0, 4 * size) << radius << " " << i;
-      EXPECT_NEAR(a[i].sum.mu1(), b[i].sum.mu1(), 4 * size) << radius << " " << i;
-      EXPECT_NEAR(a[i].sum.mu2, b[i].sum.mu2, 4 * size) << radius << " " << i;
-    }
   }
 }
 

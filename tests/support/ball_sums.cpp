@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace kappa::test {
 namespace {
@@ -27,6 +28,19 @@ ScaledSum all_triangles(const MeasuredTriangles& triangles, const Vec3& centre, 
 }
 
 }  // namespace
+
+std::vector<Vec3> places(const Mesh& mesh, std::size_t count, double spread) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0, spread);
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& x =
+        mesh.vertices[count < mesh.vertices.size() ? random() % mesh.vertices.size() : i % mesh.vertices.size()];
+    out.push_back(x);
+    out.push_back(x + Vec3(normal(random), normal(random), normal(random)));
+  }
+  return out;
+}
 
 std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
                                BallDefinition ball, const Execution& run) {

@@ -8,6 +8,9 @@
 /// Ball sums as the tests of every engine compare them.
 namespace kappa::test {
 
+/// `count` random vertices, or all where there are no more, each beside a place off the surface.
+std::vector<Vec3> places(const Mesh& mesh, std::size_t count, double spread);
+
 /// The measures of all balls, those of one centre together, in the order of the radii.
 std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& centres, const std::vector<double>& radii,
                                BallDefinition ball, const Execution& run = {});

@@ -114,6 +114,19 @@ Shape cylinder(double radius, double height, int n, int m, double twist) {
   return s;
 }
 
+Shape wavy_quads() {
+  Shape s;
+  for (int i = 0; i < 9; ++i) {
+    for (int j = 0; j < 9; ++j) {
+      s.mesh.vertices.emplace_back(i, j, std::sin(0.7 * i) * std::cos(0.5 * j));
+      s.normals.push_back(Vec3(0.3 * std::sin(i), 0.2 * std::cos(j), 1).normalized());
+      const auto v = static_cast<Index>(9 * i + j);
+      if (i < 8 && j < 8) s.mesh.faces.add({v, v + 9, v + 10, v + 1});
+    }
+  }
+  return s;
+}
+
 Shape square(int n) {
   Shape s;
   for (int j = 0; j < n; ++j) {

@@ -33,6 +33,9 @@ Shape sphere_soup(double radius, int count, std::uint64_t seed);
 /// Open cylinder around z with `n` x `m` quads split in two; with `twist` 0.5 rings alternate as in Schwarz's lantern.
 Shape cylinder(double radius, double height, int n, int m, double twist = 0);
 
+/// A wavy sheet of 8 x 8 quads with normals of their own; no curvatures.
+Shape wavy_quads();
+
 /// The flat square [0, 1]^2 of n x n vertices, normals up.
 Shape square(int n);
 

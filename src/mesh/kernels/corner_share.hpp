@@ -74,14 +74,20 @@ struct Disc {
   V over_disc_sq;  ///< its inverse
 };
 
-/// Whether the forms keep their digits for triangles in the plane of the disc.
+/// Whether the forms keep their digits for triangles in the plane of the disc. Floats never get triangles that are too
+/// large for the ball.
 template <class Real, class V>
 inline auto well_shaped(const Disc<V>& d, V longest_sq, V radius_sq) {
   constexpr Real kSliver = Limits<Real>::kSliver, kTiny = CornerLimits<Real>::kTiny;
-  constexpr Real kLargest = Limits<Real>::kLargest;
   const V least_height_sq = max(splat<V>(kSliver * kSliver) * longest_sq, splat<V>(kTiny * kTiny) * radius_sq);
-  return (d.normal_sq >= least_height_sq * longest_sq) & (d.disc_sq >= splat<V>(kFlattest) * radius_sq * d.normal_sq) &
-         (longest_sq <= splat<V>(kLargest * kLargest) * radius_sq);
+  const auto shaped =
+      (d.normal_sq >= least_height_sq * longest_sq) & (d.disc_sq >= splat<V>(kFlattest) * radius_sq * d.normal_sq);
+  if constexpr (std::is_same_v<Real, double>) {
+    constexpr double kLargest = Limits<double>::kLargest;
+    return shaped & (longest_sq <= splat<V>(kLargest * kLargest) * radius_sq);
+  } else {
+    return shaped;
+  }
 }
 
 /// What there is of a triangle at its corners and edges, edge i from corner i to the next one.

@@ -32,14 +32,10 @@ struct Limits<double> {
 template <>
 struct Limits<float> {
   static constexpr float kSliver = 3e-2F;
-  static constexpr float kTiny = 1e-3F;
-  static constexpr float kCertain = 1e-5F;
-  static constexpr float kClear = 1e-5F;
-  static constexpr float kLargest = 1e3F;
   static constexpr float kTiniest = 1e-35F;
 };
 
-/// (z - atan z) / z^3 as a polynomial in s = z^2 for |z| <= tan(pi / 8), error below 4e-17 (float: 2e-11).
+/// (z - atan z) / z^3 as a polynomial in s = z^2 for |z| <= tan(pi / 8), error below 4e-17.
 inline VD arctangent_rest(VD s) {
   constexpr double c[] = {0.33333333333333330156,   -0.19999999999995516545,  0.14285714284665680761,
                           -0.11111111015187018721,  0.090909045753064890845,  -0.076921831253768920895,
@@ -49,138 +45,123 @@ inline VD arctangent_rest(VD s) {
   for (int i = 9; i >= 0; --i) p = p * s + spread(c[i]);
   return p;
 }
-inline VF arctangent_rest(VF s) {
-  constexpr float c[] = {0.33333333331439496688F,  -0.19999998916690561882F, 0.14285612465275252388F,
-                         -0.11107493853432702763F, 0.090289675621104181449F, -0.071352346474640408073F,
-                         0.040430336961471067036F};
-  VF p = spread(c[6]);
-  for (int i = 5; i >= 0; --i) p = p * s + spread(c[i]);
-  return p;
-}
 
-template <class V>
 struct Sum {
-  V twice_area;
-  Vector2<V> moment;
+  VD twice_area;
+  Vector2<VD> moment;
 };
 
 /// A part of the boundary along one edge, relative to the disc's centre.
-template <class V>
 struct Chord {
-  Vector2<V> from, to;
-  V distance_sq;  ///< from the centre to the edge
-  V inside;       ///< signed distance from the edge's line, positive on the triangle's side
+  Vector2<VD> from, to;
+  VD distance_sq;  ///< from the centre to the edge
+  VD inside;       ///< signed distance from the edge's line, positive on the triangle's side
 };
 
 /// The part of the edge from `a` in direction `e` in the disc, or the point on the circle that stands for the edge.
-template <class Real, class V>
-inline Chord<V> cut_edge(const Vector2<V>& a, const Vector2<V>& e, V length, V r) {
-  const V zero = spread(Real(0)), tiniest = spread(Limits<Real>::kTiniest);
-  const V h = cross(a, e), ta = dot(a, e), tb = ta + length;
-  const V w = sqrt(max((r - h) * (r + h), zero));
-  const V sa = min(max(ta, -w), w), sb = min(max(tb, -w), w);
-  const V nearest = min(max(zero, ta), tb);
-  const V distance_sq = nearest * nearest + h * h;
-  const V to_circle = r / sqrt(max(distance_sq, tiniest));
+inline Chord cut_edge(const Vector2<VD>& a, const Vector2<VD>& e, VD length, VD r) {
+  const VD zero = spread(0.0), tiniest = spread(Limits<double>::kTiniest);
+  const VD h = cross(a, e), ta = dot(a, e), tb = ta + length;
+  const VD w = sqrt(max((r - h) * (r + h), zero));
+  const VD sa = min(max(ta, -w), w), sb = min(max(tb, -w), w);
+  const VD nearest = min(max(zero, ta), tb);
+  const VD distance_sq = nearest * nearest + h * h;
+  const VD to_circle = r / sqrt(max(distance_sq, tiniest));
   const auto cut = sa < sb;
-  const V from = select(cut, sa, nearest * to_circle), to = select(cut, sb, nearest * to_circle);
-  const V across = select(cut, h, h * to_circle);
-  const Vector2<V> foot = {across * e.y, -across * e.x};
+  const VD from = select(cut, sa, nearest * to_circle), to = select(cut, sb, nearest * to_circle);
+  const VD across = select(cut, h, h * to_circle);
+  const Vector2<VD> foot = {across * e.y, -across * e.x};
   return {from * e + foot, to * e + foot, distance_sq, h};
 }
 
-template <class Real, class V>
-inline void add_side(const Vector2<V>& a, const Vector2<V>& b, Sum<V>& sum) {
-  const V c = cross(a, b);
+inline void add_side(const Vector2<VD>& a, const Vector2<VD>& b, Sum& sum) {
+  const VD c = cross(a, b);
   sum.twice_area += c;
-  sum.moment = sum.moment + (c * spread(Real(1.0 / 6))) * (a + b);
+  sum.moment = sum.moment + (c * spread(1.0 / 6)) * (a + b);
 }
 
 /// Adds what lies between the side from `a` to `b` and the circle, points relative to the disc's centre; moment about
 /// `origin`.
-template <class Real, class V>
-inline void add_segment(const Vector2<V>& a, const Vector2<V>& b, const Vector2<V>& origin, V r, Sum<V>& sum) {
-  const V half = spread(Real(0.5)), zero = spread(Real(0)), tiniest = spread(Limits<Real>::kTiniest);
-  const Vector2<V> k = b - a, mid = half * (a + b);
-  const V length = sqrt(dot(k, k)), q = half * length, apothem = sqrt(dot(mid, mid));
+inline void add_segment(const Vector2<VD>& a, const Vector2<VD>& b, const Vector2<VD>& origin, VD r, Sum& sum) {
+  const VD half = spread(0.5), zero = spread(0.0), tiniest = spread(Limits<double>::kTiniest);
+  const Vector2<VD> k = b - a, mid = half * (a + b);
+  const VD length = sqrt(dot(k, k)), q = half * length, apothem = sqrt(dot(mid, mid));
   // tan of a quarter of the arc is q / (r + apothem).
-  const V rm = r + apothem;
-  const auto narrow = q <= rm * spread(Real(0.41421356237309503));
-  const V z = select(narrow, q, q - rm) / select(narrow, rm, q + rm);
-  const V z_sq = z * z, rest = arctangent_rest(z_sq), r_sq = r * r;
-  const V cubic = z * z_sq;
+  const VD rm = r + apothem;
+  const auto narrow = q <= rm * spread(0.41421356237309503);
+  const VD z = select(narrow, q, q - rm) / select(narrow, rm, q + rm);
+  const VD z_sq = z * z, rest = arctangent_rest(z_sq), r_sq = r * r;
+  const VD cubic = z * z_sq;
   // r^2 (alpha - sin alpha cos alpha) for the half arc alpha; for narrow ones without the difference.
-  const V of_narrow = spread(Real(2)) * cubic * ((spread(Real(3)) + z_sq) * (half * rm) * (half * rm) - r_sq * rest);
-  const V of_wide = r_sq * spread(Real(2)) * (spread(Real(0.78539816339744830962)) + (z - cubic * rest)) - q * apothem;
-  const V segment = select(narrow, of_narrow, of_wide);
-  const V area = select(cross(mid, k) >= zero, segment, -segment);
+  const VD of_narrow = spread(2.0) * cubic * ((spread(3.0) + z_sq) * (half * rm) * (half * rm) - r_sq * rest);
+  const VD of_wide = r_sq * spread(2.0) * (spread(0.78539816339744830962) + (z - cubic * rest)) - q * apothem;
+  const VD segment = select(narrow, of_narrow, of_wide);
+  const VD area = select(cross(mid, k) >= zero, segment, -segment);
   sum.twice_area += area + area;
-  const V outward = (spread(Real(2.0 / 3)) * q * q * q - segment * apothem) / max(length, tiniest);
-  const Vector2<V> along = {k.y, -k.x};
+  const VD outward = (spread(2.0 / 3) * q * q * q - segment * apothem) / max(length, tiniest);
+  const Vector2<VD> along = {k.y, -k.x};
   sum.moment = sum.moment + area * (mid - origin) + outward * along;
 }
 
-template <class V, class M>
 struct Shares {
-  V share, b1, b2;  ///< as in TriangleShare
-  V longest;        ///< edge
-  M certain;        ///< lanes whose share is right, and not 0
-  M missed;         ///< lanes that certainly do not meet the ball
+  VD share, b1, b2;  ///< as in TriangleShare
+  VD longest;        ///< edge
+  MD certain;        ///< lanes whose share is right, and not 0
+  MD missed;         ///< lanes that certainly do not meet the ball
 };
 
-template <class Real, class V, class M>
-inline Shares<V, M> disc_shares(const Corners<V>& t, Real radius) {
-  const V zero = spread(Real(0)), one = spread(Real(1)), ball = spread(radius);
-  const Vector3<V> e1 = t.x1 - t.x0, e2 = t.x2 - t.x0, e3 = t.x2 - t.x1;
-  const V l1 = sqrt(dot(e1, e1)), l2 = sqrt(dot(e2, e2)), l3 = sqrt(dot(e3, e3));
-  const V longest = max(l1, max(l2, l3));
+inline Shares disc_shares(const Corners<VD>& t, double radius) {
+  const VD zero = spread(0.0), one = spread(1.0), ball = spread(radius);
+  const Vector3<VD> e1 = t.x1 - t.x0, e2 = t.x2 - t.x0, e3 = t.x2 - t.x1;
+  const VD l1 = sqrt(dot(e1, e1)), l2 = sqrt(dot(e2, e2)), l3 = sqrt(dot(e3, e3));
+  const VD longest = max(l1, max(l2, l3));
 
   // Frame on the first edge; turned straight twice, so that it is orthogonal for flat triangles too.
-  const Vector3<V> ex = (one / l1) * e1;
-  const V side = dot(e2, ex);
-  const Vector3<V> across = e2 - side * ex;
-  const V height = sqrt(dot(across, across));
-  const Vector3<V> up = (one / height) * across;
-  const Vector3<V> ey = up - dot(up, ex) * ex;
-  const V d = dot(cross(ex, ey), t.x0);
-  const V r_sq = (ball - d) * (ball + d), r = sqrt(max(r_sq, zero));
-  const Vector2<V> q0 = {dot(t.x0, ex), dot(t.x0, ey)};
-  const Vector2<V> q1 = {q0.x + l1, q0.y}, q2 = {q0.x + side, q0.y + height};
+  const Vector3<VD> ex = (one / l1) * e1;
+  const VD side = dot(e2, ex);
+  const Vector3<VD> across = e2 - side * ex;
+  const VD height = sqrt(dot(across, across));
+  const Vector3<VD> up = (one / height) * across;
+  const Vector3<VD> ey = up - dot(up, ex) * ex;
+  const VD d = dot(cross(ex, ey), t.x0);
+  const VD r_sq = (ball - d) * (ball + d), r = sqrt(max(r_sq, zero));
+  const Vector2<VD> q0 = {dot(t.x0, ex), dot(t.x0, ey)};
+  const Vector2<VD> q1 = {q0.x + l1, q0.y}, q2 = {q0.x + side, q0.y + height};
 
-  const V i3 = one / l3, i2 = one / l2;
-  const Chord<V> c1 = cut_edge<Real>(q0, {one, zero}, l1, r);
-  const Chord<V> c2 = cut_edge<Real>(q1, {(side - l1) * i3, height * i3}, l3, r);
-  const Chord<V> c3 = cut_edge<Real>(q2, {-side * i2, -height * i2}, l2, r);
+  const VD i3 = one / l3, i2 = one / l2;
+  const Chord c1 = cut_edge(q0, {one, zero}, l1, r);
+  const Chord c2 = cut_edge(q1, {(side - l1) * i3, height * i3}, l3, r);
+  const Chord c3 = cut_edge(q2, {-side * i2, -height * i2}, l2, r);
 
   const auto small_disc = r < longest;
-  const Vector2<V> origin = {select(small_disc, zero, q0.x), select(small_disc, zero, q0.y)};
-  Sum<V> sum = {zero, {zero, zero}};
-  const auto walk = [&](const Chord<V>& c, const Chord<V>& next) {
-    add_side<Real>(c.from - origin, c.to - origin, sum);
-    add_side<Real>(c.to - origin, next.from - origin, sum);
-    add_segment<Real>(c.to, next.from, origin, r, sum);
+  const Vector2<VD> origin = {select(small_disc, zero, q0.x), select(small_disc, zero, q0.y)};
+  Sum sum = {zero, {zero, zero}};
+  const auto walk = [&](const Chord& c, const Chord& next) {
+    add_side(c.from - origin, c.to - origin, sum);
+    add_side(c.to - origin, next.from - origin, sum);
+    add_segment(c.to, next.from, origin, r, sum);
   };
   walk(c1, c2);
   walk(c2, c3);
   walk(c3, c1);
 
-  const V twice_whole = l1 * height, least_height = twice_whole / longest;
-  const V scale = spread(Real(2)) / sum.twice_area;
-  const V y = (sum.moment.y * scale + (origin.y - q0.y)) / height;
-  const V b2 = min(max(y, zero), one);
-  const V x = (sum.moment.x * scale + (origin.x - q0.x) - b2 * side) / l1;
-  Shares<V, M> s;
+  const VD twice_whole = l1 * height, least_height = twice_whole / longest;
+  const VD scale = spread(2.0) / sum.twice_area;
+  const VD y = (sum.moment.y * scale + (origin.y - q0.y)) / height;
+  const VD b2 = min(max(y, zero), one);
+  const VD x = (sum.moment.x * scale + (origin.x - q0.x) - b2 * side) / l1;
+  Shares s;
   s.b1 = min(max(x, zero), one - b2);
   s.b2 = b2;
   s.share = min(sum.twice_area / twice_whole, one);
   s.longest = longest;
-  const auto regular =
-      (least_height >= spread(Limits<Real>::kSliver) * longest) & (least_height >= spread(Limits<Real>::kTiny) * ball);
-  const auto large = longest > spread(Limits<Real>::kLargest) * ball;
-  s.certain = ~large & (sum.twice_area > spread(Limits<Real>::kCertain) * ball * longest) & (r_sq > zero) & regular;
-  const V edges_sq = min(c1.distance_sq, min(c2.distance_sq, c3.distance_sq));
-  const V distance_sq = select(min(c1.inside, min(c2.inside, c3.inside)) < zero, edges_sq, zero);
-  s.missed = (distance_sq - r_sq > spread(Limits<Real>::kClear) * ball * max(ball, longest)) & regular;
+  const auto regular = (least_height >= spread(Limits<double>::kSliver) * longest) &
+                       (least_height >= spread(Limits<double>::kTiny) * ball);
+  const auto large = longest > spread(Limits<double>::kLargest) * ball;
+  s.certain = ~large & (sum.twice_area > spread(Limits<double>::kCertain) * ball * longest) & (r_sq > zero) & regular;
+  const VD edges_sq = min(c1.distance_sq, min(c2.distance_sq, c3.distance_sq));
+  const VD distance_sq = select(min(c1.inside, min(c2.inside, c3.inside)) < zero, edges_sq, zero);
+  s.missed = (distance_sq - r_sq > spread(Limits<double>::kClear) * ball * max(ball, longest)) & regular;
   return s;
 }
 

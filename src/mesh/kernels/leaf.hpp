@@ -128,7 +128,10 @@ template <class Real>
 /// Decides on those that are perhaps near.
 template <class Real>
 [[gnu::always_inline]] inline void settle(const Leaf<Real>& leaf, const Met& m, Found& found) {
-  found.near |= found.perhaps & ~bits(beyond_plane(leaf, m, spread(found.reach_sq)));
+  // Of places as far away as the leaf or its triangles reach, floats lose so much: (r + d)^2 <= 1.001 r^2 + 1001 d^2.
+  const float away_sq = 2 * (static_cast<float>(m.base) + 3 * leaf.third_of_longest_sq);
+  const float reach_sq = 1.001F * found.reach_sq + 1e-9F * away_sq;
+  found.near |= found.perhaps & ~bits(beyond_plane(leaf, m, spread(reach_sq)));
 }
 
 /// Lets the triangles in the lanes of `mask` wait.
@@ -178,11 +181,23 @@ inline double doubt(double radius) {
   return found;
 }
 
-/// Lets what was found wait.
+/// Gives the triangles in the lanes of `mask` to the forms that take them from the mesh.
+template <class Real>
+[[gnu::noinline]] void leave_to_mesh(const Rim<Real>& rim, VF names, unsigned mask) {
+  std::uint32_t triangles[kWidth];
+  store(triangles, names);
+  for (; mask != 0; mask &= mask - 1) rim.query.careful(rim.query.context, triangles[__builtin_ctz(mask)], rim.number);
+}
+
+/// Lets what was found wait. Where the leaf or its triangles reach much farther than the ball, as among scattered or
+/// giant triangles, floats have too few digits left.
 template <bool kMoments>
 [[gnu::always_inline]] inline void take(const Rim<float>& rim, const Leaf<float>& leaf, const Met& m, VF names,
                                         const Found& found) {
+  constexpr double kFarthest = 16;  // in radii
   if (!found.near) return;
+  if (m.base + static_cast<double>(3 * leaf.third_of_longest_sq) > kFarthest * kFarthest * rim.ball.radius_sq)
+    return leave_to_mesh(rim, names, found.near);
   const VF bound = spread(static_cast<float>(rim.ball.radius_sq - m.base));
   let_wait(rim.ball.waiting, leaf, m, names, bound, found.near);
   make_room<kMoments>(rim);

@@ -51,7 +51,7 @@ template <bool kMoments, class Real>
   for (int first = 0; first < count; first += 4) {
     const std::uint32_t* const names = rim.ball.irregular.triangle + first;
     const auto four = four_irregular(rim, first);
-    const auto part = disc_shares<double, VD, MD>(four.corners(), rim.ball.radius);
+    const auto part = disc_shares(four.corners(), rim.ball.radius);
     const MD valid = first_lanes(zero, count - first), certain = part.certain & valid;
     for (unsigned rest = bits(valid & ~certain & ~part.missed); rest != 0; rest &= rest - 1)
       rim.query.careful(rim.query.context, names[__builtin_ctz(rest)], rim.number);
