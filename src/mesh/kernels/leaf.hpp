@@ -134,9 +134,9 @@ template <class Real>
   found.near |= found.perhaps & ~bits(beyond_plane(leaf, m, spread(reach_sq)));
 }
 
-/// Lets the triangles in the lanes of `mask` wait.
+/// Lets the triangles in the lanes of `mask` wait. `power`: of their first corners.
 [[gnu::always_inline]] inline void let_wait(Waiting<float>& w, const Leaf<float>& leaf, const Met& m, VF names,
-                                            VF bound, unsigned mask) {
+                                            VF power, unsigned mask) {
   const Compression<VF> packed(mask);
   const int at = w.count;
   for (int axis = 0; axis < 3; ++axis) {
@@ -147,7 +147,7 @@ template <class Real>
     store(w.d1[axis] + at, packed(load<VF>(leaf.d1[axis])));
     store(w.d2[axis] + at, packed(load<VF>(leaf.d2[axis])));
   }
-  store(w.power + at, packed(m.distance_sq[0] - bound));
+  store(w.power + at, packed(power));
   store(w.to_second + at, packed(m.to_second));
   store(w.to_third + at, packed(m.to_third));
   let_wait(w, packed, names, mask);
@@ -189,17 +189,46 @@ template <class Real>
   for (; mask != 0; mask &= mask - 1) rim.query.careful(rim.query.context, triangles[__builtin_ctz(mask)], rim.number);
 }
 
-/// Lets what was found wait. Where the leaf or its triangles reach much farther than the ball, as among scattered or
-/// giant triangles, floats have too few digits left.
+/// Triangles whose planes the ball does not reach, whatever floats make of places as far away as these.
+inline unsigned out_of_plane(const Vector3<VF>& x, const Vector3<VF>& normal, VF longest_sq, VF radius) {
+  const VF away = sqrt(dot(x, x)) + sqrt(longest_sq), reach = radius + spread(1e-6F) * away;
+  return bits(absolute(dot(normal, x)) > sqrt(dot(normal, normal)) * reach);
+}
+
+/// Takes those of a leaf that reaches much farther than the ball, as among scattered or giant triangles. Squared
+/// distances from its origin have too few digits left; those from where the corners are do, unless that is too far
+/// away. Triangles that are too large themselves take the general form, which goes by places.
+template <bool kMoments>
+[[gnu::noinline]] void take_far(const Rim<float>& rim, const Leaf<float>& leaf, const Met& m, VF names, unsigned near) {
+  constexpr double kFarthest = 64;
+  constexpr float kLargest = 16;
+  const VF radius_sq = spread(static_cast<float>(rim.ball.radius_sq));
+  const VF radius = spread(static_cast<float>(rim.ball.radius));
+  const Vector3<VF> x = rows_of(leaf.x, 0) + Vector3<VF>{m.origin[0], m.origin[1], m.origin[2]};
+  const Vector3<VF> e1 = rows_of(leaf.e1, 0), e2 = rows_of(leaf.e2, 0), e3 = e2 - e1;
+  const VF longest_sq = max(dot(e1, e1), max(dot(e2, e2), dot(e3, e3))), power = dot(x, x) - radius_sq;
+  near &= ~out_of_plane(x, cross(e1, e2), longest_sq, radius);
+  if (m.base > kFarthest * kFarthest * rim.ball.radius_sq) return leave_to_mesh(rim, names, near);
+  const unsigned large = near & bits(longest_sq > spread(kLargest * kLargest) * radius_sq);
+  Waiting<float>& waiting = rim.ball.waiting;
+  const int first = waiting.count;
+  let_wait(waiting, leaf, m, names, power, large);
+  hand_on<kMoments>(rim, first, (1U << (waiting.count - first)) - 1);
+  waiting.count = first;
+  let_wait(waiting, leaf, m, names, power, near & ~large);
+  make_room<kMoments>(rim);
+}
+
+/// Lets what was found wait.
 template <bool kMoments>
 [[gnu::always_inline]] inline void take(const Rim<float>& rim, const Leaf<float>& leaf, const Met& m, VF names,
                                         const Found& found) {
-  constexpr double kFarthest = 16;  // in radii
+  constexpr double kFar = 12;  // in radii
   if (!found.near) return;
-  if (m.base + static_cast<double>(3 * leaf.third_of_longest_sq) > kFarthest * kFarthest * rim.ball.radius_sq)
-    return leave_to_mesh(rim, names, found.near);
+  if (m.base + static_cast<double>(3 * leaf.third_of_longest_sq) > kFar * kFar * rim.ball.radius_sq)
+    return take_far<kMoments>(rim, leaf, m, names, found.near);
   const VF bound = spread(static_cast<float>(rim.ball.radius_sq - m.base));
-  let_wait(rim.ball.waiting, leaf, m, names, bound, found.near);
+  let_wait(rim.ball.waiting, leaf, m, names, m.distance_sq[0] - bound, found.near);
   make_room<kMoments>(rim);
 }
 template <bool kMoments>
