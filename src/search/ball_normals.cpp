@@ -6,9 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-
+#include "plane_fit.hpp"
 #include "point_blocks.hpp"
 #include "quadric_fit.hpp"
 
@@ -19,12 +17,11 @@ constexpr std::size_t kBlock = 1024;
 constexpr std::size_t kMostInRun = 32;  // points that share their candidates
 constexpr double kRunExtent = 0.8;      // of the radius, at most
 
-/// Points in a ball, by coordinates relative to its centre.
+/// Points in a ball, relative to its centre.
 struct Ball {
-  std::array<std::vector<double>, 3> x;
-  std::size_t count = 0;
-
-  kernels::PointColumns columns() { return {x[0].data(), x[1].data(), x[2].data()}; }
+  std::vector<kernels::FourPoints> points;
+  std::size_t fours = 0;
+  Moments moments;
 };
 
 /// The points that may lie in the balls of a run of points; one thread's worth of memory.
@@ -41,8 +38,12 @@ class Candidates {
   /// Those in the ball, which must lie in one of the balls that they were gathered for.
   void select(const Vec3& centre, double radius, Ball& ball) {
     const kernels::ChosenBlocks from = near(centre, radius);
-    for (auto& axis : ball.x) axis.resize(std::max(axis.size(), from.places() + kernels::kBlockPoints));
-    ball.count = kernels::best_point_table().select(from, centre.data(), radius * radius, ball.columns());
+    ball.points.resize(std::max(ball.points.size(), from.places() / 4));
+    PlaneSums sums;
+    const kernels::Selected selected =
+        kernels::best_point_table().select(from, centre.data(), radius * radius, ball.points.data(), sums.data());
+    ball.fours = selected.fours;
+    ball.moments = moments_of(selected.count, sums);
   }
 
  private:
@@ -73,16 +74,9 @@ class Candidates {
   std::vector<kernels::PointBlock> thinned_;
 };
 
-/// The plane of points about a centre.
-Plane plane_through(Ball& ball) {
-  const Moments m = moments_of(ball.columns(), ball.count);
-  return plane_of_moments(ball.count, m.sum, m.products);
-}
-
-/// Leaves the points of the ball turned into the frame of the plane.
-QuadricFit quadric_through(Ball& ball, double radius, const Vec3& plane) {
+QuadricFit quadric_through(const Ball& ball, double radius, const Vec3& plane) {
   QuadricFit quadric(frame_around(plane), radius);
-  quadric.take(ball.columns(), ball.count);
+  quadric.take(ball.points.data(), ball.fours, ball.moments);
   return quadric;
 }
 
@@ -112,11 +106,11 @@ class RunFits {
  private:
   void fit_point(std::size_t point, Normals& normals) {
     candidates_.select(points_.point(point), radius_, ball_);
-    if (ball_.count < least_) return;
-    const Plane plane = plane_through(ball_);
+    if (ball_.moments.count < least_) return;
+    const Plane plane = plane_of_moments(ball_.moments);
     normals[point] = plane.normal;
     if (fit_ == NormalFit::Plane || plane.normal.isZero(0)) return;
-    const double growth = growth_of_ball(plane.offset / radius_, ball_.count);
+    const double growth = growth_of_ball(plane.offset / radius_, ball_.moments.count);
     const QuadricFit quadric = quadric_through(ball_, radius_, plane.normal);
     const QuadricFit::Fitted fitted = quadric.fitted();
     if (fitted.variance > most_variance_) {
@@ -154,51 +148,7 @@ class RunFits {
   std::vector<Lopsided> lopsided_;  ///< of the run
 };
 
-/// Sets `direction` to that of the least eigenvalue of a covariance of trace 1; false if it is not clear enough for
-/// this. The adjugate has the same eigenvectors, its largest eigenvalue there, and its powers tend to the projection on
-/// it.
-bool find_least_direction(const Mat3& covariance, Vec3& direction) {
-  constexpr double kClear = 1e-3, kAlone = 1e-9;
-  constexpr int kSquarings = 7;
-  Mat3 power;
-  for (int i = 0; i < 3; ++i) power.col(i) = covariance.col((i + 1) % 3).cross(covariance.col((i + 2) % 3));
-  double trace = power.trace();
-  if (!(trace > kClear)) return false;
-  for (int i = 0; i < kSquarings; ++i) {
-    power /= trace;
-    power = (power * power).eval();
-    trace = power.trace();
-    if (trace < 1 - kAlone) continue;
-    int largest = 0;
-    power.diagonal().maxCoeff(&largest);
-    direction = power.col(largest).normalized();
-    return true;
-  }
-  return false;
-}
-
 }  // namespace
-
-Moments moments_of(const kernels::PointColumns& points, std::size_t count) {
-  std::array<double, kernels::kPlaneSums> s;  // x y z, xx xy xz yy yz zz
-  kernels::best_point_table().plane_sums(points, count, s.data());
-  Moments m = {Vec3(s[0], s[1], s[2]), {}};
-  m.products << s[3], s[4], s[5], s[4], s[6], s[7], s[5], s[7], s[8];
-  return m;
-}
-
-Plane plane_of_moments(std::size_t count, const Vec3& sum, const Mat3& products) {
-  Plane plane{Vec3::Zero(), sum.norm() / static_cast<double>(count)};
-  if (count < 3) return plane;
-  const Mat3 covariance = products - sum * (sum / static_cast<double>(count)).transpose();
-  const double size = covariance.trace();
-  if (!(size > 0)) return plane;
-  if (find_least_direction(covariance / size, plane.normal)) return plane;
-  Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance / size);
-  constexpr double kCollinear = 1e-12;
-  if (solver.eigenvalues()[1] > kCollinear) plane.normal = solver.eigenvectors().col(0).normalized();
-  return plane;
-}
 
 double growth_of_ball(double offset, std::size_t count) {
   constexpr double kHalfDisc = 4 / (3 * kPi);

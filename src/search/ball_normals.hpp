@@ -6,7 +6,6 @@
 #include "kappa/core/execution.hpp"
 #include "kappa/core/types.hpp"
 #include "kappa/search/cloud_normals.hpp"
-#include "kernels/views.hpp"
 
 namespace kappa {
 
@@ -25,22 +24,5 @@ inline constexpr std::size_t kMostInBall = 8192;
 /// the end of an interval the slope of a parabola of least squares has 16 times the variance that it has in the middle,
 /// and the fourth power of the length of the interval lowers it.
 double growth_of_ball(double offset, std::size_t count);
-
-/// A plane of least squares: its normal, zero if the points are collinear or fewer than three, and how far their
-/// centroid lies from the place that they were measured from.
-struct Plane {
-  Vec3 normal;
-  double offset;
-};
-
-/// Of `count` points of first moments `sum` and second moments `products` about a place among them.
-Plane plane_of_moments(std::size_t count, const Vec3& sum, const Mat3& products);
-
-/// First and second moments of points about their origin.
-struct Moments {
-  Vec3 sum;
-  Mat3 products;
-};
-Moments moments_of(const kernels::PointColumns& points, std::size_t count);
 
 }  // namespace kappa

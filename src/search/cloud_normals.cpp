@@ -9,6 +9,7 @@
 #include "../core/large_array.hpp"
 #include "ball_normals.hpp"
 #include "kappa/core/error.hpp"
+#include "plane_fit.hpp"
 #include "positions.hpp"
 #include "quadric_fit.hpp"
 #include "robust_normals.hpp"
@@ -35,14 +36,14 @@ std::uint64_t hash_of(const Vec3& x) {
 Plane plane_of(const std::vector<Vec3>& points, const std::vector<Index>& neighbours) {
   // About the point itself, so that nothing cancels.
   const Vec3& centre = points[neighbours.front()];
-  Vec3 sum = Vec3::Zero();
-  Mat3 products = Mat3::Zero();
+  Moments m;
+  m.count = neighbours.size();
   for (const Index i : neighbours) {
     const Vec3 d = points[i] - centre;
-    sum += d;
-    products += d * d.transpose();
+    m.sum += d;
+    m.products += d * d.transpose();
   }
-  return plane_of_moments(neighbours.size(), sum, products);
+  return plane_of_moments(m);
 }
 
 /// Fits to the nearest neighbours of one point after the other; one thread's worth of memory.

@@ -7,9 +7,15 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace kappa {
+namespace {
+
+/// The coefficients in their order.
+enum Coefficient { kXX, kXY, kYY, kOne, kX, kY };
+
+}  // namespace
+
 Frame frame_around(const Vec3& normal) {
   Frame frame;
   frame.col(0) = normal.unitOrthogonal();
@@ -21,29 +27,35 @@ Frame frame_around(const Vec3& normal) {
 void QuadricFit::add(const Vec3& d) {
   const Vec3 q = frame_.transpose() * d / unit_;
   Vec6 a;
-  a << 1, q.x(), q.y(), 0.5 * q.x() * q.x(), q.x() * q.y(), 0.5 * q.y() * q.y();
+  a << 0.5 * q.x() * q.x(), q.x() * q.y(), 0.5 * q.y() * q.y(), 1, q.x(), q.y();
   normal_ += a * a.transpose();
   right_ += a * q.z();
   square_ += q.z() * q.z();
   ++count_;
 }
 
-void QuadricFit::take(const kernels::PointColumns& points, std::size_t count) {
+/// What is of first and second order follows from the moments, but for the squares of heights: these would cancel.
+void QuadricFit::take(const kernels::FourPoints* points, std::size_t fours, const Moments& moments) {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> to_frame = frame_.transpose() / unit_;
   std::array<double, kernels::kQuadricSums> s;
-  kernels::best_point_table().quadric_sums(points, count, to_frame.data(), s.data());
-  const double *low = s.data(), *height = low + 5, square = s[11], *cubic = low + 12, *quartic = low + 16;
+  kernels::best_point_table().quadric_sums(points, fours, to_frame.data(), s.data());
+  const double square = s[0], *height = s.data() + 1, *cubic = height + 3, *quartic = cubic + 4;
+  const Vec3 sum = to_frame * moments.sum;
+  const Mat3 m = to_frame * moments.products * to_frame.transpose();
+  const double xx = m(0, 0), xy = m(0, 1), yy = m(1, 1);
   Mat6 products;
-  products << static_cast<double>(count), low[0], low[1], low[2] / 2, low[3], low[4] / 2,      //
-      low[0], low[2], low[3], cubic[0] / 2, cubic[1], cubic[2] / 2,                            //
-      low[1], low[3], low[4], cubic[1] / 2, cubic[2], cubic[3] / 2,                            //
-      low[2] / 2, cubic[0] / 2, cubic[1] / 2, quartic[0] / 4, quartic[1] / 2, quartic[2] / 4,  //
-      low[3], cubic[1], cubic[2], quartic[1] / 2, quartic[2], quartic[3] / 2,                  //
-      low[4] / 2, cubic[2] / 2, cubic[3] / 2, quartic[2] / 4, quartic[3] / 2, quartic[4] / 4;
+  products << quartic[0] / 4, quartic[1] / 2, quartic[2] / 4, xx / 2, cubic[0] / 2, cubic[1] / 2,  //
+      quartic[1] / 2, quartic[2], quartic[3] / 2, xy, cubic[1], cubic[2],                          //
+      quartic[2] / 4, quartic[3] / 2, quartic[4] / 4, yy / 2, cubic[2] / 2, cubic[3] / 2,          //
+      xx / 2, xy, yy / 2, static_cast<double>(moments.count), sum[0], sum[1],                      //
+      cubic[0] / 2, cubic[1], cubic[2] / 2, sum[0], xx, xy,                                        //
+      cubic[1] / 2, cubic[2], cubic[3] / 2, sum[1], xy, yy;
   normal_ += products;
-  for (int i = 0; i < 6; ++i) right_[i] += height[i] * (i == 3 || i == 5 ? 0.5 : 1);
+  Vec6 right;
+  right << height[0] / 2, height[1], height[2] / 2, sum[2], m(2, 0), m(2, 1);
+  right_ += right;
   square_ += square;
-  count_ += count;
+  count_ += moments.count;
 }
 
 double QuadricFit::variance() const {
@@ -55,12 +67,12 @@ double QuadricFit::variance() const {
 QuadricFit::Curvature QuadricFit::curvature() const {
   const Eigen::LDLT<Mat6> solver(normal_);
   const Vec6 c = solver.solve(right_);
-  const double p = c[1], q = c[2], w = 1 + p * p + q * q;
+  const double p = c[kX], q = c[kY], w = 1 + p * p + q * q;
   Vec6 by = Vec6::Zero();  // the curvature is linear in the second derivatives
-  by[3] = (1 + q * q) / (2 * w * std::sqrt(w));
-  by[4] = -2 * p * q / (2 * w * std::sqrt(w));
-  by[5] = (1 + p * p) / (2 * w * std::sqrt(w));
-  const double gaussian = (c[3] * c[5] - c[4] * c[4]) / (w * w);
+  by[kXX] = (1 + q * q) / (2 * w * std::sqrt(w));
+  by[kXY] = -2 * p * q / (2 * w * std::sqrt(w));
+  by[kYY] = (1 + p * p) / (2 * w * std::sqrt(w));
+  const double gaussian = (c[kXX] * c[kYY] - c[kXY] * c[kXY]) / (w * w);
   return {by.dot(c) / unit_, gaussian / (unit_ * unit_), by.dot(solver.solve(by)) / std::pow(unit_, 4)};
 }
 
@@ -71,7 +83,7 @@ Vec3 QuadricFit::normal_or(const Vec3& plane) const {
 
 double QuadricFit::normal_variance() const {
   const Eigen::LDLT<Mat6> solver(normal_);
-  return (solver.solve(Vec6::Unit(1))[1] + solver.solve(Vec6::Unit(2))[2]) / (unit_ * unit_);
+  return (solver.solve(Vec6::Unit(kX))[kX] + solver.solve(Vec6::Unit(kY))[kY]) / (unit_ * unit_);
 }
 
 const QuadricFit& better_fit(const QuadricFit& smaller, const QuadricFit& larger) {
@@ -79,20 +91,75 @@ const QuadricFit& better_fit(const QuadricFit& smaller, const QuadricFit& larger
   return larger.variance() <= kSame * smaller.variance() ? larger : smaller;
 }
 
+namespace {
+
+/// The normal equations of a quadric after elimination: of row r of the upper triangle what comes after the diagonal,
+/// then the right side, over the pivot. The slopes are last: they and their variances follow without the others.
+class Eliminated {
+ public:
+  Eliminated(const QuadricFit::Mat6& normal, const QuadricFit::Vec6& right) {
+    for (int r = 0; r < kSize; ++r) {
+      for (int c = 0; c < kSize; ++c) rows_[r][c] = normal(c, r);
+      rows_[r][kSize] = right[r];
+    }
+    eliminate<0>();
+  }
+
+  bool positive() const { return positive_; }
+  double reduction() const { return reduction_; }  ///< of the sum of squares of heights
+  double x_slope() const { return rows_[4][6] - rows_[4][5] * rows_[5][6]; }
+  double y_slope() const { return rows_[5][6]; }
+  double slope_variance() const { return 1 / rows_[4][4] + (1 + rows_[4][5] * rows_[4][5]) / rows_[5][5]; }
+
+ private:
+  static constexpr int kSize = 6;
+
+  // With the numbers of the rows known to the compiler it takes a third of the time.
+  template <int kPivot>
+  void eliminate() {
+    double* const pivot = rows_[kPivot];
+    positive_ &= pivot[kPivot] > 0;
+    const double inverse = 1 / pivot[kPivot];
+    subtract<kPivot, kPivot + 1>(inverse);
+    reduction_ += pivot[kSize] * pivot[kSize] * inverse;
+    for (int c = kPivot + 1; c <= kSize; ++c) pivot[c] *= inverse;
+    if constexpr (kPivot + 1 < kSize) eliminate<kPivot + 1>();
+  }
+
+  template <int kPivot, int kRow>
+  void subtract(double inverse) {
+    if constexpr (kRow < kSize) {
+      const double factor = rows_[kPivot][kRow] * inverse;
+      for (int c = kRow; c <= kSize; ++c) rows_[kRow][c] -= factor * rows_[kPivot][c];
+      subtract<kPivot, kRow + 1>(inverse);
+    }
+  }
+
+  double rows_[kSize][kSize + 1];
+  bool positive_ = true;
+  double reduction_ = 0;
+};
+
+/// Of both slopes of a plane together, for noise of variance 1, by its normal equations for the height and them.
+double slope_variance_of_plane(const Mat3& normal) {
+  const double x = normal(0, 1), y = normal(0, 2), over_count = 1 / normal(0, 0);
+  const double xx = normal(1, 1) - x * x * over_count, yy = normal(2, 2) - y * y * over_count;
+  const double xy = normal(1, 2) - x * y * over_count;
+  return (xx + yy) / (xx * yy - xy * xy);
+}
+
+}  // namespace
+
 QuadricFit::Fitted QuadricFit::fitted() const {
   if (count_ < kLeastForQuadric) return {Vec3::Zero(), variance()};
-  const Eigen::LLT<Mat6> solver(normal_);
-  if (solver.info() != Eigen::Success) return {Vec3::Zero(), variance()};
-  const Vec6 half_way = solver.matrixL().solve(right_);
-  const double residuals = std::max(0.0, square_ - half_way.squaredNorm()) / static_cast<double>(count_ - 6);
+  const Eliminated solved(normal_, right_);
+  if (!solved.positive()) return {Vec3::Zero(), variance()};
+  const double residuals = std::max(0.0, square_ - solved.reduction()) / static_cast<double>(count_ - 6);
   Fitted result = {Vec3::Zero(), residuals * unit_ * unit_};
-  const auto variance_of = [&](int i) { return solver.matrixL().solve(Vec6::Unit(i)).squaredNorm(); };
-  const double of_quadric = variance_of(1) + variance_of(2);
-  const Mat3 plane = normal_.topLeftCorner<3, 3>().inverse();
-  const double of_plane = plane(1, 1) + plane(2, 2);
+  const double of_quadric = solved.slope_variance();
+  const double of_plane = slope_variance_of_plane(normal_.bottomRightCorner<3, 3>());
   if (!(of_quadric > 0 && of_quadric <= kUncertain * kUncertain * of_plane)) return result;
-  const Vec6 c = solver.matrixU().solve(half_way);
-  result.normal = (frame_ * Vec3(-c[1], -c[2], 1)).normalized();
+  result.normal = (frame_ * Vec3(-solved.x_slope(), -solved.y_slope(), 1)).normalized();
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kappa/core/types.hpp"
-#include "kernels/views.hpp"
+#include "plane_fit.hpp"
 
 namespace kappa {
 
@@ -16,7 +16,7 @@ using Frame = Mat3;
 /// A frame whose third axis is `normal`, of unit length.
 Frame frame_around(const Vec3& normal);
 
-/// Least squares of the height c0 + c1 x + c2 y + c3 x^2/2 + c4 x y + c5 y^2/2 over the plane of a frame; all lengths
+/// Least squares of the height c0 x^2/2 + c1 x y + c2 y^2/2 + c3 + c4 x + c5 y over the plane of a frame; all lengths
 /// in units of `unit`, of the order of the distance of the points.
 class QuadricFit {
  public:
@@ -28,8 +28,8 @@ class QuadricFit {
   /// Adds the point at `d` from the place of the frame.
   void add(const Vec3& d);
 
-  /// Adds many points, and leaves them turned into the frame.
-  void take(const kernels::PointColumns& points, std::size_t count);
+  /// Adds many points, of known moments.
+  void take(const kernels::FourPoints* points, std::size_t fours, const Moments& moments);
 
   /// Variance of the residuals, a length squared; NaN for no more points than coefficients.
   double variance() const;

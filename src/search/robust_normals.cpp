@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ball_normals.hpp"
 #include "kappa/mesh/statistics.hpp"
+#include "plane_fit.hpp"
 #include "quadric_fit.hpp"
 
 namespace kappa {
@@ -119,7 +119,7 @@ class SheetFits {
     Sheet sheet;
     if (count < 3) return sheet;
     const double scale = static_cast<double>(count) / total;  // moments of as many points of weight 1
-    sheet.normal = plane_of_moments(count, scale * sum, scale * products).normal;
+    sheet.normal = plane_of_moments({count, scale * sum, scale * products}).normal;
     sheet.height = sheet.normal.dot(sum / total);
     return sheet;
   }

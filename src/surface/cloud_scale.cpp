@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "../search/ball_normals.hpp"
+#include "../search/plane_fit.hpp"
 #include "../search/quadric_fit.hpp"
 #include "growing_balls.hpp"
 #include "kappa/mesh/statistics.hpp"
@@ -32,14 +32,14 @@ Place measure_place(const Positions& positions, Index at, std::size_t few, std::
   positions.search.nearest(positions.x[at], many, near, distances_sq);
   Place place;
   place.area = kPi * distances_sq.back() / static_cast<double>(many - 1);
-  Vec3 sum = Vec3::Zero();
-  Mat3 products = Mat3::Zero();
+  Moments m;
+  m.count = near.size();
   for (const Index i : near) {
     const Vec3 d = positions.x[i] - positions.x[at];
-    sum += d;
-    products += d * d.transpose();
+    m.sum += d;
+    m.products += d * d.transpose();
   }
-  const Vec3 plane = plane_of_moments(near.size(), sum, products).normal;
+  const Vec3 plane = plane_of_moments(m).normal;
   if (plane.isZero(0)) return place;
   QuadricFit fit(frame_around(plane), std::sqrt(distances_sq.back()));
   for (std::size_t i = 0; i < near.size(); ++i) {

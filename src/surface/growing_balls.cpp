@@ -6,17 +6,17 @@
 #include <cstddef>
 #include <vector>
 
-#include "../search/ball_normals.hpp"
+#include "../search/plane_fit.hpp"
 #include "../search/quadric_fit.hpp"
 
 namespace kappa {
 namespace {
 
-/// Points around a point, as coordinates relative to it, those of every ball before the others.
+/// Points around a point, relative to it, those of every ball in fours before the others.
 struct Near {
   std::array<double, kRungs> radii;
-  std::array<std::size_t, kRungs> counts = {};  ///< in each ball
-  std::array<std::vector<double>, 3> x;
+  std::array<kernels::Selected, kRungs> in_ball = {};
+  std::vector<kernels::FourPoints> points;
 
   Near(const Positions& positions, Index at, double spacing) {
     for (int rung = 0; rung < kRungs; ++rung) radii[static_cast<std::size_t>(rung)] = radius_of_rung(rung, spacing);
@@ -30,17 +30,18 @@ struct Near {
       while (rung + 1 < kRungs && distances_sq[i] > radii[rung] * radii[rung]) ++rung;
       shells[rung].push_back(indices[i]);
     }
-    for (auto& axis : x) axis.reserve(indices.size() + kernels::kBlockPoints);
+    std::size_t count = 0;
     for (std::size_t rung = 0; rung < kRungs; ++rung) {
-      for (const Index i : shells[rung]) add(positions.x[i] - positions.x[at]);
-      counts[rung] = x[0].size();
+      for (std::size_t i = 0; i < shells[rung].size(); ++i) add(positions.x[shells[rung][i]] - positions.x[at], i % 4);
+      count += shells[rung].size();
+      in_ball[rung] = {points.size(), count};
     }
-    for (auto& axis : x) axis.resize(axis.size() + kernels::kBlockPoints);
   }
 
  private:
-  void add(const Vec3& d) {
-    for (std::size_t axis = 0; axis < 3; ++axis) x[axis].push_back(d[static_cast<Eigen::Index>(axis)]);
+  void add(const Vec3& d, std::size_t place) {
+    if (place == 0) points.push_back({});
+    for (int axis = 0; axis < 3; ++axis) points.back().x[axis][place] = d[axis];
   }
 };
 
@@ -51,15 +52,18 @@ double without_quartic_part(const QuadricFit::Curvature& quadric, double r) {
   return quadric.mean / (1 + r * r * (0.75 * quadric.mean * quadric.mean - 0.5 * quadric.gaussian));
 }
 
-/// Fits to the points of one ball, as columns; leaves them turned. With the normal on the side of `towards`, if that is
-/// not zero.
-BallFit fit_ball(const kernels::PointColumns& points, std::size_t count, double radius, const Vec3& towards) {
-  const Moments m = moments_of(points, count);
-  Vec3 plane = plane_of_moments(count, m.sum, m.products).normal;
+/// Fits to the points of one ball, with the normal on the side of `towards`, if that is not zero.
+BallFit fit_ball(const Near& near, std::size_t rung, const Vec3& towards) {
+  const auto [fours, count] = near.in_ball[rung];
+  const double radius = near.radii[rung];
+  PlaneSums sums;
+  kernels::best_point_table().plane_sums(near.points.data(), fours, sums.data());
+  const Moments m = moments_of(count, sums);
+  Vec3 plane = plane_of_moments(m).normal;
   if (plane.isZero(0)) return {};
   if (plane.dot(towards) < 0) plane = -plane;
   QuadricFit quadric(frame_around(plane), radius);
-  quadric.take(points, count);
+  quadric.take(near.points.data(), fours, m);
   const QuadricFit::Curvature curvature = quadric.curvature();
   BallFit fit;
   fit.normal = quadric.normal();
@@ -84,8 +88,7 @@ GrowingBalls fit_growing_balls(const Positions& positions, Index at, double spac
   GrowingBalls fits;
   Vec3 towards = Vec3::Zero();
   for (std::size_t rung = 0; rung < kRungs; ++rung) {
-    auto x = near.x;
-    fits[rung] = fit_ball({x[0].data(), x[1].data(), x[2].data()}, near.counts[rung], near.radii[rung], towards);
+    fits[rung] = fit_ball(near, rung, towards);
     if (!fits[rung].normal.isZero(0)) towards = fits[rung].normal;
   }
   return fits;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "kappa/mesh/ball_sum.hpp"
@@ -149,27 +150,66 @@ TEST(PointBlocks, RunsFindWhatEachPointFindsAlone) {
   }
 }
 
+const double kMatrix[9] = {0.8, 0.6, 0, -0.6, 0.8, 0.1, 0, -0.1, 1};
+
+/// What the kernels of one instruction set find in a ball around a point, and the sums over it.
+struct InBall {
+  std::vector<kernels::FourPoints> points;
+  kernels::Selected selected;
+  std::array<double, kernels::kPlaneSums> while_selecting, of_plane;
+  std::array<double, kernels::kQuadricSums> of_quadric;
+
+  InBall(const kernels::PointTable& table, const PointBlocks& blocks, const Vec3& centre, double radius) {
+    PointBlocks::Work work;
+    blocks.near_box(centre, centre, radius, work);
+    const kernels::ChosenBlocks from{blocks.blocks(), work.blocks.data(), work.blocks.size()};
+    points.resize(from.places() / 4);
+    selected = table.select(from, centre.data(), radius * radius, points.data(), while_selecting.data());
+    table.plane_sums(points.data(), selected.fours, of_plane.data());
+    table.quadric_sums(points.data(), selected.fours, kMatrix, of_quadric.data());
+  }
+};
+
 /// Every instruction set gives the bits of the baseline, which the tests of normals compare with plain fits.
 TEST(PointKernels, GiveTheBitsOfTheBaseline) {
-  const kernels::PointTable &best = kernels::best_point_table(), &baseline = kernels::baseline_point_table();
   const std::vector<Vec3> points = clouds().front().second;
   const PointBlocks blocks(points);
-  PointBlocks::Work work;
-  const double matrix[9] = {0.8, 0.6, 0, -0.6, 0.8, 0.1, 0, -0.1, 1};
-  const auto sums = [&](const kernels::PointTable& table, double radius) {
-    std::array<std::vector<double>, 3> x;
-    for (auto& axis : x) axis.resize(points.size() + 16);
-    const kernels::PointColumns columns{x[0].data(), x[1].data(), x[2].data()};
-    const kernels::ChosenBlocks from{blocks.blocks(), work.blocks.data(), work.blocks.size()};
-    const std::size_t count = table.select(from, points[100].data(), radius * radius, columns);
-    std::vector<double> result(1 + kernels::kPlaneSums + kernels::kQuadricSums, static_cast<double>(count));
-    table.plane_sums(columns, count, result.data() + 1);
-    table.quadric_sums(columns, count, matrix, result.data() + 1 + kernels::kPlaneSums);
-    return result;
-  };
   for (const double radius : {0.0, 0.02, 0.1, 0.5}) {
-    blocks.near_box(points[100], points[100], radius, work);
-    EXPECT_EQ(sums(best, radius), sums(baseline, radius)) << radius;
+    const InBall best(kernels::best_point_table(), blocks, points[100], radius);
+    const InBall baseline(kernels::baseline_point_table(), blocks, points[100], radius);
+    EXPECT_EQ(best.selected.count, baseline.selected.count) << radius;
+    EXPECT_EQ(best.while_selecting, baseline.while_selecting) << radius;
+    EXPECT_EQ(best.of_plane, baseline.of_plane) << radius;
+    EXPECT_EQ(best.of_quadric, baseline.of_quadric) << radius;
+  }
+}
+
+TEST(PointKernels, SelectThePointsOfABall) {
+  for (const auto& [name, points] : clouds()) {
+    const PointBlocks blocks(points);
+    const Vec3 centre = points[points.size() / 3];
+    for (const double radius : {0.0, 0.3, 5.0}) {
+      std::vector<std::array<double, 3>> expected, found;
+      Vec3 sum = Vec3::Zero();
+      for (const Vec3& x : points) {
+        const Vec3 d = x - centre;
+        if (d.squaredNorm() > radius * radius) continue;
+        sum += d;
+        if (!d.isZero(0)) expected.push_back({d.x(), d.y(), d.z()});
+      }
+      const InBall ball(kernels::best_point_table(), blocks, centre, radius);
+      EXPECT_EQ(ball.selected.count, expected.size() + 1) << name << " radius " << radius;
+      for (std::size_t i = 0; i < 4 * ball.selected.fours; ++i) {
+        const auto& x = ball.points[i / 4].x;
+        if (x[0][i % 4] != 0 || x[1][i % 4] != 0 || x[2][i % 4] != 0)
+          found.push_back({x[0][i % 4], x[1][i % 4], x[2][i % 4]});
+      }
+      EXPECT_EQ(found, expected) << name << " radius " << radius;
+      for (int axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(ball.while_selecting[std::size_t(axis)], sum[axis], 1e-12 * radius * double(points.size()));
+      for (std::size_t i = 0; i < kernels::kPlaneSums; ++i)
+        EXPECT_NEAR(ball.while_selecting[i], ball.of_plane[i], 1e-12 * (1 + radius * radius) * double(points.size()));
+    }
   }
 }
 
@@ -202,49 +242,29 @@ TEST(PointKernels, OpenTheBoxesThatAreMet) {
 }
 
 TEST(PointKernels, SumPowersOfTurnedPoints) {
-  std::array<std::vector<double>, 3> x;
+  std::array<kernels::FourPoints, 2> given{};  // the last place stays at the origin
+  std::array<double, kernels::kPlaneSums> of_plane, plane_expected{};
+  std::array<double, kernels::kQuadricSums> of_quadric, quadric_expected{};
   for (std::size_t i = 0; i < 7; ++i) {
     const double t = static_cast<double>(i) - 2.5;
-    x[0].push_back(0.3 * t);
-    x[1].push_back(t * t - 4);
-    x[2].push_back(1 - t);
+    const Vec3 d(0.3 * t, t * t - 4, 1 - t);
+    for (int axis = 0; axis < 3; ++axis) given[i / 4].x[axis][i % 4] = d[axis];
+    const double plane[] = {d[0],        d[1],        d[2],        d[0] * d[0], d[0] * d[1],
+                            d[0] * d[2], d[1] * d[1], d[1] * d[2], d[2] * d[2]};
+    const Vec3 q = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(kMatrix) * d;
+    const double x = q[0], y = q[1], z = q[2];
+    const double quadric[] = {z * z,         z * x * x,     z * x * y,    z * y * y,     x * x * x,
+                              x * x * y,     x * y * y,     y * y * y,    x * x * x * x, x * x * x * y,
+                              x * x * y * y, x * y * y * y, y * y * y * y};
+    for (std::size_t term = 0; term < plane_expected.size(); ++term) plane_expected[term] += plane[term];
+    for (std::size_t term = 0; term < quadric_expected.size(); ++term) quadric_expected[term] += quadric[term];
   }
-  const std::array<std::vector<double>, 3> given = x;
-  for (auto& axis : x) axis.resize(7 + 8, 9.0);
-  const double matrix[9] = {0.8, 0.6, 0, -0.6, 0.8, 0.1, 0, -0.1, 1};
-  std::array<double, kernels::kQuadricSums> sums;
-  kernels::best_point_table().quadric_sums({x[0].data(), x[1].data(), x[2].data()}, 7, matrix, sums.data());
-  std::array<double, kernels::kQuadricSums> expected{};
-  for (std::size_t i = 0; i < 7; ++i) {
-    const auto row = [&](int r) {
-      return matrix[3 * r] * given[0][i] + matrix[3 * r + 1] * given[1][i] + matrix[3 * r + 2] * given[2][i];
-    };
-    const double a = row(0), b = row(1), c = row(2);
-    const double terms[] = {a,
-                            b,
-                            a * a,
-                            a * b,
-                            b * b,
-                            c,
-                            c * a,
-                            c * b,
-                            c * a * a,
-                            c * a * b,
-                            c * b * b,
-                            c * c,
-                            a * a * a,
-                            a * a * b,
-                            a * b * b,
-                            b * b * b,
-                            a * a * a * a,
-                            a * a * a * b,
-                            a * a * b * b,
-                            a * b * b * b,
-                            b * b * b * b};
-    for (std::size_t term = 0; term < expected.size(); ++term) expected[term] += terms[term];
-  }
-  for (std::size_t term = 0; term < expected.size(); ++term)
-    EXPECT_NEAR(sums[term], expected[term], 1e-13 * (1 + std::abs(expected[term]))) << term;
+  kernels::best_point_table().plane_sums(given.data(), 2, of_plane.data());
+  kernels::best_point_table().quadric_sums(given.data(), 2, kMatrix, of_quadric.data());
+  for (std::size_t term = 0; term < of_plane.size(); ++term)
+    EXPECT_NEAR(of_plane[term], plane_expected[term], 1e-13 * (1 + std::abs(plane_expected[term]))) << term;
+  for (std::size_t term = 0; term < of_quadric.size(); ++term)
+    EXPECT_NEAR(of_quadric[term], quadric_expected[term], 1e-13 * (1 + std::abs(quadric_expected[term]))) << term;
 }
 
 }  // namespace

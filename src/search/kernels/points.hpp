@@ -17,6 +17,11 @@ inline double finite(double distance_sq) {
   return distance_sq < kMost ? distance_sq : kMost;
 }
 
+/// Zero in the other lanes.
+inline VD only(MD mask, VD v) {
+  return reinterpret_cast<VD>(mask & reinterpret_cast<MD>(v));
+}
+
 /// A box in all lanes.
 struct SpreadBox {
   VD low[3], high[3];
@@ -51,11 +56,12 @@ inline std::size_t open_nodes(const PointBoxes* level, const std::uint32_t* node
   return found;
 }
 
-/// Four places of a block: where they lie relative to the centre of a ball, their squared distances, and a mask of
-/// those inside.
+/// Four places of a block: where they lie relative to the centre of a ball, their squared distances, and which are
+/// inside.
 struct Four {
   Vector3<VD> d;
   VD distance_sq;
+  MD is_inside;
   unsigned inside;
 
   std::size_t count() const { return static_cast<std::size_t>(__builtin_popcount(inside)); }
@@ -74,7 +80,8 @@ template <class Use>
       const Vector3<VD> d = {load<VD>(block.x[0] + at) - cx, load<VD>(block.x[1] + at) - cy,
                              load<VD>(block.x[2] + at) - cz};
       const VD distance_sq = dot(d, d);
-      return Four{d, distance_sq, bits(distance_sq <= most)};
+      const MD is_inside = distance_sq <= most;
+      return Four{d, distance_sq, is_inside, bits(is_inside)};
     };
     const std::size_t first = std::size_t{kBlockPoints} * *chosen;
     const Four a = four(0), b = four(kStep);  // both before anything is stored
@@ -83,18 +90,49 @@ template <class Use>
   }
 }
 
-inline std::size_t select_points(const ChosenBlocks& from, const double* centre, double radius_sq,
-                                 const PointColumns& to) {
-  const PointColumns columns = to;
-  std::size_t count = 0;
+inline double total(const VD& v) {
+  return (v[0] + v[1]) + (v[2] + v[3]);
+}
+
+/// Adds up the terms of four points after the other.
+template <std::size_t kTerms>
+struct Sums {
+  VD of[kTerms] = {};
+
+  void add(const VD (&terms)[kTerms]) {
+    for (std::size_t term = 0; term < kTerms; ++term) of[term] += terms[term];
+  }
+  void to(double* sums) const {
+    for (std::size_t term = 0; term < kTerms; ++term) sums[term] = total(of[term]);
+  }
+};
+
+inline void add_for_plane(const Vector3<VD>& d, Sums<kPlaneSums>& sums) {
+  sums.add({d.x, d.y, d.z, d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z});
+}
+
+inline Vector3<VD> points_of(const FourPoints& four) {
+  return {load<VD>(four.x[0]), load<VD>(four.x[1]), load<VD>(four.x[2])};
+}
+
+/// Whole fours are kept if one of their points is inside: to move the points together would cost more than it saves.
+inline Selected select_points(const ChosenBlocks& from, const double* centre, double radius_sq, FourPoints* to,
+                              double* sums) {
+  Selected selected{0, 0};
+  Sums<kPlaneSums> of_plane;
   for_each_four(from, centre, radius_sq, [&](const Four& four, std::size_t) {
-    const Compression<VD> compressed(four.inside);
-    store(columns.x + count, compressed(four.d.x));
-    store(columns.y + count, compressed(four.d.y));
-    store(columns.z + count, compressed(four.d.z));
-    count += four.count();
+    const Vector3<VD> d = {only(four.is_inside, four.d.x), only(four.is_inside, four.d.y),
+                           only(four.is_inside, four.d.z)};
+    FourPoints& place = to[selected.fours];
+    store(place.x[0], d.x);
+    store(place.x[1], d.y);
+    store(place.x[2], d.z);
+    add_for_plane(d, of_plane);
+    selected.count += four.count();
+    selected.fours += four.inside != 0;
   });
-  return count;
+  of_plane.to(sums);
+  return selected;
 }
 
 inline std::size_t measure_points(const ChosenBlocks& from, const double* centre, double radius_sq, double* points,
@@ -125,60 +163,24 @@ inline void rank_values(const double* values, std::size_t count, std::uint32_t* 
   }
 }
 
-inline double total(const VD& v) {
-  return (v[0] + v[1]) + (v[2] + v[3]);
+inline void sum_for_plane(const FourPoints* points, std::size_t fours, double* sums) {
+  Sums<kPlaneSums> of_plane;
+  for (std::size_t i = 0; i < fours; ++i) add_for_plane(points_of(points[i]), of_plane);
+  of_plane.to(sums);
 }
 
-/// Points at the origin add nothing to a sum: with them the last four are whole.
-inline void fill_up(const PointColumns& points, std::size_t count) {
-  store(points.x + count, VD{});
-  store(points.y + count, VD{});
-  store(points.z + count, VD{});
-}
-
-inline void sum_for_plane(const PointColumns& points, std::size_t count, double* sums) {
-  fill_up(points, count);
-  VD m[kPlaneSums] = {};
-  for (std::size_t i = 0; i < count; i += kStep) {
-    const VD x = load<VD>(points.x + i), y = load<VD>(points.y + i), z = load<VD>(points.z + i);
-    const VD terms[kPlaneSums] = {x, y, z, x * x, x * y, x * z, y * y, y * z, z * z};
-    for (std::size_t term = 0; term < kPlaneSums; ++term) m[term] += terms[term];
-  }
-  for (std::size_t term = 0; term < kPlaneSums; ++term) sums[term] = total(m[term]);
-}
-
-constexpr std::size_t kLow = 12, kHigh = kQuadricSums - kLow;
-
-inline void sum_low_powers(const PointColumns& points, std::size_t count, const double* matrix, double* sums) {
-  VD m[kLow] = {}, rows[9];
+inline void sum_for_quadric(const FourPoints* points, std::size_t fours, const double* matrix, double* sums) {
+  VD rows[9];
   for (int i = 0; i < 9; ++i) rows[i] = spread(matrix[i]);
-  for (std::size_t i = 0; i < count; i += kStep) {
-    const Vector3<VD> d = {load<VD>(points.x + i), load<VD>(points.y + i), load<VD>(points.z + i)};
+  Sums<kQuadricSums> of_quadric;
+  for (std::size_t i = 0; i < fours; ++i) {
+    const Vector3<VD> d = points_of(points[i]);
     const auto row = [&](int r) { return rows[3 * r] * d.x + rows[3 * r + 1] * d.y + rows[3 * r + 2] * d.z; };
     const VD x = row(0), y = row(1), z = row(2), xx = x * x, xy = x * y, yy = y * y;
-    store(points.x + i, x);
-    store(points.y + i, y);
-    const VD terms[kLow] = {x, y, xx, xy, yy, z, z * x, z * y, z * xx, z * xy, z * yy, z * z};
-    for (std::size_t term = 0; term < kLow; ++term) m[term] += terms[term];
+    of_quadric.add(
+        {z * z, z * xx, z * xy, z * yy, xx * x, xx * y, x * yy, yy * y, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy});
   }
-  for (std::size_t term = 0; term < kLow; ++term) sums[term] = total(m[term]);
-}
-
-inline void sum_high_powers(const PointColumns& points, std::size_t count, double* sums) {
-  VD m[kHigh] = {};
-  for (std::size_t i = 0; i < count; i += kStep) {
-    const VD x = load<VD>(points.x + i), y = load<VD>(points.y + i), xx = x * x, xy = x * y, yy = y * y;
-    const VD terms[kHigh] = {xx * x, xx * y, x * yy, yy * y, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy};
-    for (std::size_t term = 0; term < kHigh; ++term) m[term] += terms[term];
-  }
-  for (std::size_t term = 0; term < kHigh; ++term) sums[term] = total(m[term]);
-}
-
-/// In two passes, so that the sums of each stay in registers.
-inline void sum_for_quadric(const PointColumns& points, std::size_t count, const double* matrix, double* sums) {
-  fill_up(points, count);
-  sum_low_powers(points, count, matrix, sums);
-  sum_high_powers(points, count, sums + kLow);
+  of_quadric.to(sums);
 }
 
 constexpr PointTable kPointTable = {open_nodes,  select_points, measure_points,

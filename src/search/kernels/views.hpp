@@ -30,13 +30,18 @@ struct ChosenBlocks {
   std::size_t places() const { return count * kBlockPoints; }
 };
 
-/// Points by coordinates; there is room for kBlockPoints more than there are.
-struct PointColumns {
-  double *x, *y, *z;
+/// Points side by side, relative to a centre; places that hold none are there, where they add nothing to a sum.
+struct alignas(32) FourPoints {
+  double x[3][4];
+};
+
+/// How many points there are, in the places of so many times four.
+struct Selected {
+  std::size_t fours, count;
 };
 
 inline constexpr std::size_t kPlaneSums = 9;     ///< x y z xx xy xz yy yz zz
-inline constexpr std::size_t kQuadricSums = 21;  ///< x y xx xy yy, z zx zy zxx zxy zyy, zz, xxx ... yyy, xxxx ... yyyy
+inline constexpr std::size_t kQuadricSums = 13;  ///< zz, zxx zxy zyy, xxx xxy xyy yyy, xxxx ... yyyy
 
 /// The kernels of one instruction set. All give the same bits.
 struct PointTable {
@@ -44,17 +49,19 @@ struct PointTable {
   /// nodes; how many they are. There is room for all, and 8 more.
   std::size_t (*open)(const PointBoxes* level, const std::uint32_t* nodes, std::size_t count, const double* low,
                       const double* high, double distance_sq, std::uint32_t* children);
-  /// Points of the chosen blocks within the closed ball, relative to its centre; how many they are.
-  std::size_t (*select)(const ChosenBlocks& from, const double* centre, double radius_sq, const PointColumns& to);
-  /// The same by index, block times kBlockPoints plus place, as doubles, and squared distance.
+  /// Points of the chosen blocks within the closed ball, relative to its centre, and sums over them as kPlaneSums has
+  /// them. There is room for all places.
+  Selected (*select)(const ChosenBlocks& from, const double* centre, double radius_sq, FourPoints* to, double* sums);
+  /// The same points by index, block times kBlockPoints plus place, as doubles, and squared distance; how many they
+  /// are. There is room for kBlockPoints more than places.
   std::size_t (*measure)(const ChosenBlocks& from, const double* centre, double radius_sq, double* points,
                          double* distances_sq);
-  /// For every value how many of the others are smaller. Both have room as PointColumns have.
+  /// For every value how many of the others are smaller. Both have room for kBlockPoints more.
   void (*rank)(const double* values, std::size_t count, std::uint32_t* ranks);
   /// Sums over points as kPlaneSums has them.
-  void (*plane_sums)(const PointColumns& points, std::size_t count, double* sums);
-  /// Turns points by a matrix, row by row, and sums over them as kQuadricSums has them.
-  void (*quadric_sums)(const PointColumns& points, std::size_t count, const double* matrix, double* sums);
+  void (*plane_sums)(const FourPoints* points, std::size_t fours, double* sums);
+  /// Sums over points turned by a matrix, row by row, as kQuadricSums has them.
+  void (*quadric_sums)(const FourPoints* points, std::size_t fours, const double* matrix, double* sums);
 };
 
 const PointTable& baseline_point_table();
