@@ -30,7 +30,7 @@ class Candidates {
   explicit Candidates(const PointBlocks& points) : points_(points) {}
 
   void gather(const PointRun& run, double radius) {
-    points_.near_box(run.low, run.high, radius, near_);
+    points_.near_run(run.low, run.high, radius, near_);
     thinned_.clear();
     if (places() > kMostInBall) thin_out();
   }
@@ -51,8 +51,7 @@ class Candidates {
 
   kernels::ChosenBlocks near(const Vec3& centre, double radius) {
     if (!thinned_.empty()) return {thinned_.data(), near_.blocks.data(), near_.blocks.size()};
-    const std::size_t count = points_.near_ball(centre, radius, near_);
-    return {points_.blocks(), near_.of_ball.data(), count};
+    return points_.near_ball(centre, radius, near_);
   }
 
   /// Every m-th point alone.

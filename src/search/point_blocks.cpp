@@ -95,12 +95,28 @@ void PointBlocks::near_box(const Vec3& low, const Vec3& high, double distance, W
   }
 }
 
-std::size_t PointBlocks::near_ball(const Vec3& centre, double radius, Work& work) const {
-  if (levels_.empty()) return 0;
-  const std::size_t room = kChildren * work.opened.size() + kChildren;
+void PointBlocks::near_run(const Vec3& low, const Vec3& high, double distance, Work& work) const {
+  near_box(low, high, distance, work);
+  work.boxes.resize((work.blocks.size() + kChildren - 1) / kChildren);
+  for (std::size_t i = 0; i < work.boxes.size() * kChildren; ++i) {
+    kernels::NamedBoxes& to = work.boxes[i / kChildren];
+    const bool any = i < work.blocks.size();
+    const std::uint32_t block = any ? work.blocks[i] : 0;
+    const PointBoxes& from = levels_[0][block / kChildren];
+    to.names[i % kChildren] = block;
+    for (int axis = 0; axis < 3; ++axis) {
+      to.boxes.low[axis][i % kChildren] = any ? from.low[axis][block % kChildren] : kInfinity;
+      to.boxes.high[axis][i % kChildren] = any ? from.high[axis][block % kChildren] : -kInfinity;
+    }
+  }
+}
+
+kernels::ChosenBlocks PointBlocks::near_ball(const Vec3& centre, double radius, Work& work) const {
+  const std::size_t room = kChildren * work.boxes.size() + kChildren;
   if (work.of_ball.size() < room) work.of_ball.resize(room);
-  return kernels::best_point_table().open(levels_[0].data(), work.opened.data(), work.opened.size(), centre.data(),
-                                          centre.data(), radius * radius, work.of_ball.data());
+  const std::size_t count = kernels::best_point_table().meet(work.boxes.data(), work.boxes.size(), centre.data(),
+                                                             radius * radius, work.of_ball.data());
+  return {blocks_.data(), work.of_ball.data(), count};
 }
 
 std::size_t PointBlocks::measure(const Vec3& centre, double radius, Work& work) const {

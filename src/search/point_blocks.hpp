@@ -36,6 +36,7 @@ class PointBlocks {
   /// What the searches in balls need; one thread's worth.
   struct Work {
     std::vector<std::uint32_t> blocks, opened, of_ball;
+    std::vector<kernels::NamedBoxes> boxes;
     std::vector<double> points, distances_sq;
   };
 
@@ -50,9 +51,12 @@ class PointBlocks {
   /// Sets `work.blocks` to all whose boxes come within `distance` of that from `low` to `high`, increasing.
   void near_box(const Vec3& low, const Vec3& high, double distance, Work& work) const;
 
-  /// After near_box: sets the first `work.of_ball` to those of its blocks whose boxes come within `radius` of a place,
-  /// increasing; how many they are.
-  std::size_t near_ball(const Vec3& centre, double radius, Work& work) const;
+  /// The same, and sets `work.boxes` to the boxes of those blocks.
+  void near_run(const Vec3& low, const Vec3& high, double distance, Work& work) const;
+
+  /// After near_run: those of its blocks whose boxes come within `radius` of a place, increasing; held in
+  /// `work.of_ball`.
+  kernels::ChosenBlocks near_ball(const Vec3& centre, double radius, Work& work) const;
 
   /// Sets the first `work.points`, as doubles, and their `work.distances_sq` to those of `work.blocks` in a closed
   /// ball; how many they are.

@@ -30,10 +30,14 @@ class Stars {
     const Edge* end() const { return last; }
     bool empty() const { return first == last; }
     bool contains(Index a, Index b) const {
+      const std::uint64_t wanted = word_of({a, b});
       bool found = false;
-      for (const Edge* e = first; e != last; ++e) found |= (e->first == a) & (e->second == b);
+      for (const Edge* e = first; e != last; ++e) found |= word_of(*e) == wanted;
       return found;
     }
+
+   private:
+    static std::uint64_t word_of(const Edge& e) { return std::uint64_t{e.second} << 32 | e.first; }
   };
 
   explicit Stars(std::size_t points) : blocks_((points + kBlock - 1) / kBlock), end_(points) {}
@@ -129,12 +133,14 @@ class StarMaker {
   }
 
  private:
-  /// Adds to found_ the points within `radius` that are not there.
+  /// Adds to found_ the points within `radius` that are not there: they are no nearer than the last one there.
   void add_within(std::size_t i, double radius) {
+    constexpr double kSurely = 1 - 1e-12;
     positions_.search.within(positions_.x[i], radius, within_, distances_sq_, work_);
     const Index *first = near_.items.data() + i * near_.k, *last = first + near_.k;
-    for (const Index j : within_) {
-      if (j != i && std::find(first, last, j) == last) found_.push_back(j);
+    const double there = kSurely * near_.reach[i] * near_.reach[i];
+    for (std::size_t n = 0; n < within_.size(); ++n) {
+      if (distances_sq_[n] >= there && std::find(first, last, within_[n]) == last) found_.push_back(within_[n]);
     }
   }
 

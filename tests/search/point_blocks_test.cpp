@@ -107,11 +107,10 @@ TEST(PointBlocks, BlocksNearABallOfARun) {
     for (const double radius : {0.0, 0.05, 5.0, 1e200}) {
       for (std::size_t q = 0; q < points.size(); q += 97) {
         const PointRun run(blocks, q, 32, radius);
-        blocks.near_box(run.low, run.high, radius, of_run);
+        blocks.near_run(run.low, run.high, radius, of_run);
         for (std::size_t i = q; i < run.end; ++i) {
-          const std::size_t count = blocks.near_ball(points[i], radius, of_run);
-          const std::vector<std::uint32_t> found(of_run.of_ball.begin(),
-                                                 of_run.of_ball.begin() + std::ptrdiff_t(count));
+          const kernels::ChosenBlocks chosen = blocks.near_ball(points[i], radius, of_run);
+          const std::vector<std::uint32_t> found(chosen.chosen, chosen.chosen + chosen.count);
           blocks.near_box(points[i], points[i], radius, alone);
           ASSERT_EQ(found, alone.blocks) << name << " point " << i << " radius " << radius;
         }
@@ -129,7 +128,8 @@ TEST(PointBlocks, NothingIsFoundAmongNoPoints) {
   EXPECT_TRUE(indices.empty());
   blocks.within(Vec3::Zero(), 1, indices, distances_sq, work);
   EXPECT_TRUE(indices.empty() && distances_sq.empty());
-  EXPECT_EQ(blocks.near_ball(Vec3::Zero(), 1, work), 0U);
+  blocks.near_run(Vec3::Zero(), Vec3::Zero(), 1, work);
+  EXPECT_EQ(blocks.near_ball(Vec3::Zero(), 1, work).count, 0U);
 }
 
 TEST(PointBlocks, RunsFindWhatEachPointFindsAlone) {

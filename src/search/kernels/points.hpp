@@ -41,18 +41,35 @@ inline VD gaps_sq(const PointBoxes& boxes, std::size_t at, const SpreadBox& box)
   return dot(d, d);
 }
 
+/// Which of 8 boxes come within a distance of another one.
+inline unsigned met_boxes(const PointBoxes& boxes, const SpreadBox& box, const VD& distance_sq) {
+  const auto met = [&](std::size_t at) { return bits(gaps_sq(boxes, at, box) <= distance_sq) << at; };
+  return met(0) | met(kStep);
+}
+
+/// Keeps those of 8 names that a mask has; how many they are. Without a branch: how many are met is hard to foresee.
+inline std::size_t keep_names(VF names, unsigned mask, std::uint32_t* to) {
+  store(to, Compression<VF>(mask)(names));
+  return static_cast<std::size_t>(__builtin_popcount(mask));
+}
+
 inline std::size_t open_nodes(const PointBoxes* level, const std::uint32_t* nodes, std::size_t count, const double* low,
                               const double* high, double distance_sq, std::uint32_t* children) {
   const SpreadBox box(low, high);
   const VD most = spread(finite(distance_sq));
   std::size_t found = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto met = [&](std::size_t at) { return bits(gaps_sq(level[nodes[i]], at, box) <= most) << at; };
-    const unsigned all = met(0) | met(kStep);
-    // Without a branch: how many are met is hard to foresee.
-    store(children + found, Compression<VF>(all)(numbers_from(8 * nodes[i])));
-    found += static_cast<std::size_t>(__builtin_popcount(all));
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    found += keep_names(numbers_from(8 * nodes[i]), met_boxes(level[nodes[i]], box, most), children + found);
+  return found;
+}
+
+inline std::size_t meet_boxes(const NamedBoxes* boxes, std::size_t count, const double* centre, double distance_sq,
+                              std::uint32_t* met) {
+  const SpreadBox place(centre, centre);
+  const VD most = spread(finite(distance_sq));
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    found += keep_names(load<VF>(boxes[i].names), met_boxes(boxes[i].boxes, place, most), met + found);
   return found;
 }
 
@@ -183,7 +200,7 @@ inline void sum_for_quadric(const FourPoints* points, std::size_t fours, const d
   of_quadric.to(sums);
 }
 
-constexpr PointTable kPointTable = {open_nodes,  select_points, measure_points,
+constexpr PointTable kPointTable = {open_nodes,  meet_boxes,    select_points,  measure_points,
                                     rank_values, sum_for_plane, sum_for_quadric};
 
 }  // namespace

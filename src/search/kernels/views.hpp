@@ -21,6 +21,12 @@ struct alignas(64) PointBoxes {
   double low[3][8], high[3][8];
 };
 
+/// Boxes of any 8 blocks, and which they are.
+struct NamedBoxes {
+  PointBoxes boxes;
+  std::uint32_t names[8];
+};
+
 /// Some of the blocks of a cloud.
 struct ChosenBlocks {
   const PointBlock* blocks;
@@ -49,6 +55,10 @@ struct PointTable {
   /// nodes; how many they are. There is room for all, and 8 more.
   std::size_t (*open)(const PointBoxes* level, const std::uint32_t* nodes, std::size_t count, const double* low,
                       const double* high, double distance_sq, std::uint32_t* children);
+  /// Names of the boxes that come within a distance of a place, in order; how many they are. There is room for all, and
+  /// 8 more.
+  std::size_t (*meet)(const NamedBoxes* boxes, std::size_t count, const double* centre, double distance_sq,
+                      std::uint32_t* met);
   /// Points of the chosen blocks within the closed ball, relative to its centre, and sums over them as kPlaneSums has
   /// them. There is room for all places.
   Selected (*select)(const ChosenBlocks& from, const double* centre, double radius_sq, FourPoints* to, double* sums);
