@@ -14,24 +14,29 @@ void DelaunayStar::clip(const Vec2& normal, double offset, int bisector) {
   }
   if (farthest <= 0) return;
   make_room(2 * corners_);
-  std::size_t count = 0;
-  radius_sq_ = 0;
+  // In registers: members would be written and read again for each corner.
+  const Corner* const cell = cell_.data();
+  const double* const distances = distances_.data();
+  const std::size_t corners = corners_;
+  Corner* to = clipped_.data();
+  double radius_sq = 0;
   const auto add = [&](const Corner& corner) {
-    clipped_[count++] = corner;
-    radius_sq_ = std::max(radius_sq_, corner.position.squaredNorm());
+    *to++ = corner;
+    radius_sq = std::max(radius_sq, corner.position.squaredNorm());
   };
-  for (std::size_t i = 0; i < corners_; ++i) {
-    const std::size_t next = i + 1 < corners_ ? i + 1 : 0;
-    const Corner &from = cell_[i], &to = cell_[next];
-    const double d_from = distances_[i], d_to = distances_[next];
+  for (std::size_t i = 0; i < corners; ++i) {
+    const std::size_t next = i + 1 < corners ? i + 1 : 0;
+    const Corner &from = cell[i], &at_next = cell[next];
+    const double d_from = distances[i], d_to = distances[next];
     if (d_from <= 0) add(from);
     if ((d_from <= 0) == (d_to <= 0)) continue;
-    const Vec2 cut = from.position + d_from / (d_from - d_to) * (to.position - from.position);
+    const Vec2 cut = from.position + d_from / (d_from - d_to) * (at_next.position - from.position);
     // Leaving the half-plane, the cell goes on along the new bisector; entering, along the old side.
     add({cut, d_from <= 0 ? bisector : from.bisector});
   }
+  corners_ = static_cast<std::size_t>(to - clipped_.data());
+  radius_sq_ = radius_sq;
   std::swap(cell_, clipped_);
-  corners_ = count;
 }
 
 void DelaunayStar::make_room(std::size_t corners) {
