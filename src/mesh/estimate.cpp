@@ -264,8 +264,8 @@ void mark_borders(CurvatureField& field, double least) {
 
 FieldSummary::Percentiles percentiles(std::vector<double>& values) {
   FieldSummary::Percentiles p;
-  p.p50 = percentile(values, 50);  // first: what is on its side already is passed over fast
   p.p1 = percentile(values, 1);
+  p.p50 = percentile(values, 50);
   p.p99 = percentile(values, 99);
   return p;
 }
