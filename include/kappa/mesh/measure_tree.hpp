@@ -15,7 +15,7 @@ struct Table;
 enum class Precision {
   Double,  ///< sums equal to those of BruteForceBallSum to 1e-11 of the sum of absolute values in the ball
   Fast     ///< floats relative to a point nearby: measures within 1e-6 relative, mean curvature 5e-6 of its largest,
-           ///< for balls of a few triangles and more; single triangles up to 16 times as large as the ball, or as far
+           ///< for balls of a few triangles and more; single triangles up to 64 times as large as the ball, or as far
            ///< from others, within 2e-5 radius^2; larger or sparser ones are measured as in Double
 };
 
