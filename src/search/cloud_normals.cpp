@@ -37,12 +37,7 @@ Plane plane_of(const std::vector<Vec3>& points, const std::vector<Index>& neighb
   // About the point itself, so that nothing cancels.
   const Vec3& centre = points[neighbours.front()];
   Moments m;
-  m.count = neighbours.size();
-  for (const Index i : neighbours) {
-    const Vec3 d = points[i] - centre;
-    m.sum += d;
-    m.products += d * d.transpose();
-  }
+  for (const Index i : neighbours) m.add(points[i] - centre);
   return plane_of_moments(m);
 }
 

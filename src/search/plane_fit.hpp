@@ -14,6 +14,13 @@ struct Moments {
   std::size_t count = 0;
   Vec3 sum = Vec3::Zero();
   Mat3 products = Mat3::Zero();
+
+  /// Adds the point at `d` from the place.
+  void add(const Vec3& d) {
+    ++count;
+    sum += d;
+    products += d * d.transpose();
+  }
 };
 
 /// Of `count` points by the sums over them.

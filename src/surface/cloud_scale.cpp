@@ -33,12 +33,7 @@ Place measure_place(const Positions& positions, Index at, std::size_t few, std::
   Place place;
   place.area = kPi * distances_sq.back() / static_cast<double>(many - 1);
   Moments m;
-  m.count = near.size();
-  for (const Index i : near) {
-    const Vec3 d = positions.x[i] - positions.x[at];
-    m.sum += d;
-    m.products += d * d.transpose();
-  }
+  for (const Index i : near) m.add(positions.x[i] - positions.x[at]);
   const Vec3 plane = plane_of_moments(m).normal;
   if (plane.isZero(0)) return place;
   QuadricFit fit(frame_around(plane), std::sqrt(distances_sq.back()));

@@ -9,7 +9,6 @@
 #include <cstring>
 #include <random>
 
-#include "../../src/mesh/kernels/views.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/estimate.hpp"
 #include "kappa/mesh/normals.hpp"

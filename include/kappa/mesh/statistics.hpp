@@ -9,7 +9,7 @@
 namespace kappa {
 
 /// The value that `p` percent, 0 to 100, of `values` do not exceed (nearest rank; 50 is the median), NaN if there is
-/// none. Reorders the values, which must not be NaN. Cost: linear.
+/// none. May reorder the values, which must not be NaN. Cost: linear.
 double percentile(std::vector<double>& values, double p);
 
 /// Statistics of the differences between two lists of numbers, over the entries where both are finite.
