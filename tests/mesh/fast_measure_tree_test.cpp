@@ -117,11 +117,11 @@ TEST(FastMeasureTree, MissesNothingOfTrianglesMuchLargerThanTheBall) {
       const double a = along(random), b = i % 2 ? 0 : (1 - a) * along(random);  // along an edge, and within
       centres.push_back(a * mesh.vertices[1] + b * mesh.vertices[2] + Vec3(off(random), off(random), off(random)));
     }
-    // And where the ball hardly reaches over the edge, in the plane of the triangle.
-    const Vec3 edge = mesh.vertices[1].normalized();
-    const Vec3 outward = -(mesh.vertices[2] - edge.dot(mesh.vertices[2]) * edge).normalized();
+    // And where the ball hardly reaches over an edge, next to the centroid's foot on it.
+    const Vec3 edge = mesh.vertices[1].normalized(), centroid = (mesh.vertices[1] + mesh.vertices[2]) / 3;
+    const Vec3 foot = edge.dot(centroid) * edge, outward = (foot - centroid).normalized();
     for (int i = 0; i < 300; ++i)
-      centres.push_back(along(random) * mesh.vertices[1] + (1 - 0.03 * along(random)) * outward);
+      centres.push_back(foot + (along(random) - 0.5) * edge + (1 - 0.03 * along(random)) * outward);
     for (const auto table : kTables) EXPECT_LE(largest_error_of_fast(mesh, normals, centres, table()), 2e-5) << size;
   }
 }
