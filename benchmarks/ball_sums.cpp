@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "../src/mesh/kernels/views.hpp"
 #include "kappa/mesh/measure_tree.hpp"
 #include "kappa/search/flann_ball_sum.hpp"
 #include "kappa/search/neighbours.hpp"
@@ -179,6 +180,7 @@ void add_all() {
 int main(int argc, char** argv) {
   add_all();
   benchmark::Initialize(&argc, argv);
+  benchmark::AddCustomContext("kernels", kernels::best_table().name);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -75,6 +75,7 @@ int main(int argc, char** argv) {
   add("measures/measure_triangles", whole_call, std::string("torus"));
   add("measures/measure_triangles_shuffled", whole_call, std::string("shuffled"));
   benchmark::Initialize(&argc, argv);
+  benchmark::AddCustomContext("kernels", kernels::best_table().name);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;

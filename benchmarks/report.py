@@ -188,6 +188,7 @@ def main():
     sums = run(os.path.join(at, "ball_sums_benchmark"), common + ["--benchmark_filter=" + options.filter])
     local = run(os.path.join(at, "local_measures_benchmark"), common)
     found = medians(sums)
+    print(f"Kernels: {sums['context']['kernels']}")
     for surface in ("torus", "terrain"):
         for definition in ("exact", "fraction"):
             ball_table(found, surface, definition)

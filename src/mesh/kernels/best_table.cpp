@@ -3,11 +3,23 @@
 
 namespace kappa::kernels {
 
-const Table& best_table() {
+Tables usable_tables() {
+  Tables tables;
+  const auto add = [&](const Table& table) { tables.of[tables.count++] = &table; };
+  add(baseline_table());
 #if defined(KAPPA_AVX2_KERNELS)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return avx2_table();
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  // Not asked for itself: processors that have AVX-512 without it, up to 2020, run much slower for long vectors.
+  const bool recent = __builtin_cpu_supports("avx512vbmi2");
+  if (avx2) add(avx2_table());
+  if (avx2 && recent && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) add(avx512_table());
 #endif
-  return baseline_table();
+  return tables;
+}
+
+const Table& best_table() {
+  static const Tables tables = usable_tables();
+  return *tables.of[tables.count - 1];
 }
 
 }  // namespace kappa::kernels

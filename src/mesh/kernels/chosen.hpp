@@ -21,7 +21,7 @@ inline VD least_distances(const Vector3<VD>& a, const Vector3<VD>& b, const Vect
 template <bool kMoments>
 inline void add_four(const Rim<double>& rim, const std::uint32_t* names, unsigned valid) {
   constexpr double kOut = 1 + 1e-12;
-  const Corners<VD> x = FourOfMesh(rim.triangles, names).corners(rim.query.centre);
+  const Corners<VD> x = OfMesh<VD>(rim.triangles, names).corners(rim.query.centre);
   const VD farthest = max(dot(x.x0, x.x0), max(dot(x.x1, x.x1), dot(x.x2, x.x2)));
   const unsigned inside = bits(farthest <= spread(rim.ball.radius_sq)) & valid;
   for (unsigned rest = inside; rest != 0; rest &= rest - 1)

@@ -14,13 +14,6 @@ struct Fan {
   Vector3<V> first, d1, d2;
 };
 
-/// Four sums of lanes. Two floats are added as floats: what they hold is no more precise.
-inline VD four_sums(VD lanes) {
-  return lanes;
-}
-inline VD four_sums(VF lanes) {
-  return widened_sum(lanes);
-}
 template <class V>
 inline void add_lanes(double* to, V lanes) {
   store(to, load<VD>(to) + four_sums(lanes));

@@ -130,12 +130,23 @@ inline VF absolute(VF a) {
 }
 
 template <class V>
-using RealOf = std::decay_t<decltype(V{}[0])>;
+struct LaneOf {
+  using Real = std::decay_t<decltype(V{}[0])>;
+};
+template <class V>
+using RealOf = typename LaneOf<V>::Real;
+
+template <class V>
+constexpr int kLanes = sizeof(V) / sizeof(RealOf<V>);
 
 /// The same in all lanes.
 template <class V, class Real>
 inline V splat(Real s) {
-  return spread(static_cast<RealOf<V>>(s));
+  if constexpr (std::is_class_v<V>) {
+    return V::all(static_cast<RealOf<V>>(s));
+  } else {
+    return spread(static_cast<RealOf<V>>(s));
+  }
 }
 
 /// Lanes [0, count) of a vector.
@@ -286,7 +297,7 @@ struct Corners {
 };
 
 /// Four vectors of three doubles, wherever they are.
-inline Vector3<VD> gathered_vectors(const double* const (&from)[4]) {
+[[gnu::always_inline]] inline Vector3<VD> gathered_vectors(const double* const (&from)[4]) {
 #if defined(__AVX__)
   const auto pair = [](const double* low, const double* high) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(low)), _mm_loadu_pd(high), 1);

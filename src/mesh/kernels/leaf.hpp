@@ -204,17 +204,18 @@ template <bool kMoments>
   constexpr float kLargest = 16;
   const VF radius_sq = spread(static_cast<float>(rim.ball.radius_sq));
   const VF radius = spread(static_cast<float>(rim.ball.radius));
-  const Vector3<VF> x = rows_of(leaf.x, 0) + Vector3<VF>{m.origin[0], m.origin[1], m.origin[2]};
-  const Vector3<VF> e1 = rows_of(leaf.e1, 0), e2 = rows_of(leaf.e2, 0), e3 = e2 - e1;
+  const Vector3<VF> x = rows_of<VF>(leaf.x, 0) + Vector3<VF>{m.origin[0], m.origin[1], m.origin[2]};
+  const Vector3<VF> e1 = rows_of<VF>(leaf.e1, 0), e2 = rows_of<VF>(leaf.e2, 0), e3 = e2 - e1;
   const VF longest_sq = max(dot(e1, e1), max(dot(e2, e2), dot(e3, e3))), power = dot(x, x) - radius_sq;
   near &= ~out_of_plane(x, cross(e1, e2), longest_sq, radius);
   if (m.base > kFarthest * kFarthest * rim.ball.radius_sq) return leave_to_mesh(rim, names, near);
   const unsigned large = near & bits(longest_sq > spread(kLargest * kLargest) * radius_sq);
   Waiting<float>& waiting = rim.ball.waiting;
-  const int first = waiting.count;
-  let_wait(waiting, leaf, m, names, power, large);
-  hand_on<kMoments>(rim, first, (1U << (waiting.count - first)) - 1);
-  waiting.count = first;
+  if (const int first = waiting.count; large) {
+    let_wait(waiting, leaf, m, names, power, large);
+    hand_on<kMoments>(rim, first, (1U << (waiting.count - first)) - 1);
+    waiting.count = first;
+  }
   let_wait(waiting, leaf, m, names, power, near & ~large);
   make_room<kMoments>(rim);
 }

@@ -14,9 +14,9 @@ namespace {
 /// Pieces times the weights of their triangles.
 template <class V>
 [[gnu::always_inline]] inline void weigh(const double* weights, const std::uint32_t* triangles, Piece<V>& piece) {
-  V by = splat<V>(0);
-  for (int lane = 0; lane < Lanes<RealOf<V>>::kCount; ++lane)
-    by[lane] = static_cast<RealOf<V>>(weights[triangles[lane]]);
+  RealOf<V> found[kLanes<V>];
+  for (int lane = 0; lane < kLanes<V>; ++lane) found[lane] = static_cast<RealOf<V>>(weights[triangles[lane]]);
+  const V by = load<V>(found);
   piece.share = by * piece.share;
   piece.m1 = by * piece.m1;
   piece.m2 = by * piece.m2;
@@ -26,9 +26,11 @@ template <class V>
 template <class Real, class V>
 [[gnu::noinline]] void add_beside(const double* beside, const std::uint32_t* triangles, V share,
                                   Gathering<Real>& ball) {
-  for (int lane = 0; lane < Lanes<RealOf<V>>::kCount; ++lane) {
+  RealOf<V> shares[kLanes<V>];
+  store(shares, share);
+  for (int lane = 0; lane < kLanes<V>; ++lane) {
     const double* const s = beside + std::size_t{kSums} * triangles[lane];
-    for (int i = 0; i < kSums; ++i) ball.sum[i] += static_cast<double>(share[lane]) * s[i];
+    for (int i = 0; i < kSums; ++i) ball.sum[i] += static_cast<double>(shares[lane]) * s[i];
   }
 }
 
@@ -65,7 +67,7 @@ template <bool kMoments, class Real>
     if (rim.triangles.weights) weigh(rim.triangles.weights, names, piece);
     const Placed<VD> t = four.placed();
     const Vector3<VD> normal = cross(t.e1, t.e2);
-    add_densities(normals_from(rim, rim.ball.irregular, first), t.e1, t.e2, normal, dot(normal, normal), piece,
+    add_densities(normals_from<VD>(rim, rim.ball.irregular, first), t.e1, t.e2, normal, dot(normal, normal), piece,
                   rim.ball);
   }
   rim.ball.irregular.count = 0;
@@ -125,7 +127,7 @@ template <class V>
 /// Fetches triangles, with the powers of their corners.
 template <class Real, class V>
 [[gnu::always_inline]] inline void place(const Rim<Real>& rim, int first, Batch<V>& b) {
-  const InLanes<Real> from(rim, rim.ball.waiting, first);
+  const InLanes<V> from(rim, rim.ball.waiting, first);
   const Placed<V> t = from.placed();
   const Vector3<V> normal = cross(t.e1, t.e2);
   assign(t.e1, b.e1);
@@ -186,26 +188,26 @@ template <bool kMoments, class Real, class V>
 /// Adds the first `count` of the triangles that wait.
 template <bool kMoments, class Real>
 [[gnu::always_inline]] inline void add_first(const Rim<Real>& rim, int count) {
-  using V = Vector<Real>;
-  constexpr int kLanes = Lanes<Real>::kCount;
+  using V = RimVector<Real>;
   const V radius_sq = splat<V>(rim.ball.radius_sq);
   const auto& waiting = rim.ball.waiting;
-  Batch<V> batches[Names::kPlaces / kLanes];
+  Batch<V> batches[kRim / kLanes<V>];
   const auto each = [&](const auto& step) __attribute__((always_inline)) {
-    for (int first = 0; first < count; first += kLanes) step(first, batches[first / kLanes]);
+    for (int first = 0; first < count; first += kLanes<V>) step(first, batches[first / kLanes<V>]);
   };
-  each([&](int first, Batch<V>& b) { place(rim, first, b); });
-  each([&](int first, Batch<V>& b) { tell(rim, count - first, b); });
-  each([&](int, Batch<V>& b) { cross_edges<Real>(turned(b.around, b.turn), b.corner); });
-  each([&](int, Batch<V>& b) { find_chord<Real>(b.disc, b.longest_sq, radius_sq, b.corner); });
-  each([&](int, Batch<V>& b) { measure<Real, kMoments>(rim, b); });
+  each([&](int first, Batch<V>& b) __attribute__((always_inline)) { place(rim, first, b); });
+  each([&](int first, Batch<V>& b) __attribute__((always_inline)) { tell(rim, count - first, b); });
+  each([&](int, Batch<V>& b) __attribute__((always_inline)) { cross_edges<Real>(turned(b.around, b.turn), b.corner); });
+  each([&](int, Batch<V>& b)
+           __attribute__((always_inline)) { find_chord<Real>(b.disc, b.longest_sq, radius_sq, b.corner); });
+  each([&](int, Batch<V>& b) __attribute__((always_inline)) { measure<Real, kMoments>(rim, b); });
   if (const double* const beside = rim.triangles.beside)
     each([&](int first, Batch<V>& b) { add_beside(beside, waiting.triangle + first, b.piece.share, rim.ball); });
   if (const double* const weights = rim.triangles.weights)
     each([&](int first, Batch<V>& b) { weigh(weights, waiting.triangle + first, b.piece); });
   each([&](int first, Batch<V>& b) __attribute__((always_inline)) {
     account<kMoments>(rim, first, b);
-    add_densities(normals_from(rim, waiting, first), b.e1, b.e2, b.normal, b.disc.normal_sq, b.piece, rim.ball);
+    add_densities(normals_from<V>(rim, waiting, first), b.e1, b.e2, b.normal, b.disc.normal_sq, b.piece, rim.ball);
   });
 }
 

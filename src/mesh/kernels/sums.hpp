@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lanes.hpp"
 #include "views.hpp"
+#include "wide.hpp"
 
 // Adding whole measures and parts of them to what a ball has got. Included by kernel files alone.
 

@@ -5,8 +5,8 @@
 namespace kappa::kernels {
 
 const Table& avx2_table() {
-  static constexpr Table kTable = {approach,   run_query<double>, run_query<float>,
-                                   add_chosen, finish_chosen,     measure_avx2};
+  static constexpr Table kTable = {"AVX2",     approach,      run_query<double>, run_query<float>,
+                                   add_chosen, finish_chosen, measure_avx2};
   return kTable;
 }
 

@@ -6,7 +6,8 @@
 namespace kappa::kernels {
 
 const Table& baseline_table() {
-  static constexpr Table kTable = {approach, run_query<double>, run_query<float>, add_chosen, finish_chosen, measure};
+  static constexpr Table kTable = {"baseline",    approach, run_query<double>, run_query<float>, add_chosen,
+                                   finish_chosen, measure};
   return kTable;
 }
 

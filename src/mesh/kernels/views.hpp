@@ -170,6 +170,7 @@ struct BallQuery {
 /// The kernels of one instruction set. Measures have the same bits in all; sums over balls agree to a few roundings,
 /// for some fuse products and sums.
 struct Table {
+  const char* name;  ///< of the instruction set
   /// Where queries with centres between `lo` and `hi` and radii up to `radius` start. It changes no bit of them.
   void (*approach)(const NodeView& tree, const double* lo, const double* hi, double radius, Start& start);
   /// Everything that a tree has in the balls of a query.
@@ -187,11 +188,20 @@ const Table& baseline_table();
 #if defined(KAPPA_AVX2_KERNELS)
 /// With fused multiply-add.
 const Table& avx2_table();
+/// With AVX-512 besides.
+const Table& avx512_table();
 /// Its measures, without: an area of nothing is to be 0.
 void measure_avx2(const TriangleView& triangles, std::size_t begin, std::size_t end, double* out);
 #endif
 
-/// The table for this processor.
+/// The tables that this processor can use, from the slowest on.
+struct Tables {
+  int count = 0;
+  const Table* of[3] = {};
+};
+Tables usable_tables();
+
+/// The fastest of them.
 const Table& best_table();
 
 }  // namespace kappa::kernels

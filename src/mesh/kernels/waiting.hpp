@@ -32,71 +32,69 @@ struct Powers {
   V first, second, third, to_second, to_third;
 };
 
-template <class Real, int N>
-[[gnu::always_inline]] inline Vector3<Vector<Real>> rows_of(const Real (&rows)[3][N], int first) {
-  using V = Vector<Real>;
+template <class V, int N>
+[[gnu::always_inline]] inline Vector3<V> rows_of(const RealOf<V> (&rows)[3][N], int first) {
   return {load<V>(rows[0] + first), load<V>(rows[1] + first), load<V>(rows[2] + first)};
 }
 
-/// Four triangles of the mesh, wherever they are.
-class FourOfMesh {
+/// As many triangles of the mesh as there are lanes, wherever they are.
+template <class V>
+class OfMesh {
  public:
-  [[gnu::always_inline]] FourOfMesh(const TriangleView& t, const std::uint32_t* names)
-      : triangles_(t), at_{corners_of(names[0]), corners_of(names[1]), corners_of(names[2]), corners_of(names[3])} {}
+  [[gnu::always_inline]] OfMesh(const TriangleView& t, const std::uint32_t* names) : triangles_(t) {
+    for (int lane = 0; lane < kLanes<V>; ++lane) at_[lane] = t.corners + std::size_t{3} * names[lane];
+  }
 
-  [[gnu::always_inline]] Corners<VD> corners(const double* centre) const {
-    const Vector3<VD> c = {spread(centre[0]), spread(centre[1]), spread(centre[2])};
+  [[gnu::always_inline]] Corners<V> corners(const double* centre) const {
+    const Vector3<V> c = {splat<V>(centre[0]), splat<V>(centre[1]), splat<V>(centre[2])};
     const auto at = [&](int corner) { return of(triangles_.positions, corner) - c; };
     return {at(0), at(1), at(2)};
   }
-  [[gnu::always_inline]] Fan<VD> normals() const {
-    const Vector3<VD> first = of(triangles_.normals, 0);
+  [[gnu::always_inline]] Fan<V> normals() const {
+    const Vector3<V> first = of(triangles_.normals, 0);
     return {first, of(triangles_.normals, 1) - first, of(triangles_.normals, 2) - first};
   }
 
  private:
-  [[gnu::always_inline]] const std::uint32_t* corners_of(std::uint32_t name) const {
-    return triangles_.corners + std::size_t{3} * name;
-  }
-  [[gnu::always_inline]] Vector3<VD> of(const double* vectors, int corner) const {
-    const auto at = [&](int lane) { return vectors + std::size_t{3} * at_[lane][corner]; };
-    const double* const from[4] = {at(0), at(1), at(2), at(3)};
+  [[gnu::always_inline]] Vector3<V> of(const double* vectors, int corner) const {
+    const double* from[kLanes<V>];
+    for (int lane = 0; lane < kLanes<V>; ++lane) from[lane] = vectors + std::size_t{3} * at_[lane][corner];
     return gathered_vectors(from);
   }
 
   const TriangleView& triangles_;
-  const std::uint32_t* at_[4];
+  const std::uint32_t* at_[kLanes<V>];
 };
 
 /// As many waiting triangles as there are lanes, from one place on: of the mesh in doubles, of leaves in floats.
-template <class Real>
+template <class V, class Real = RealOf<V>>
 class InLanes;
-template <>
-class InLanes<double> {
+template <class V>
+class InLanes<V, double> {
  public:
   [[gnu::always_inline]] InLanes(const Rim<double>& rim, const Names& from, int first)
-      : x_(FourOfMesh(rim.triangles, from.triangle + first).corners(rim.query.centre)) {}
-  [[gnu::always_inline]] const Corners<VD>& corners() const { return x_; }
-  [[gnu::always_inline]] Placed<VD> placed() const { return {x_.x0, x_.x1 - x_.x0, x_.x2 - x_.x0}; }
-  [[gnu::always_inline]] Powers<VD> powers(VD radius_sq) const {
-    const VD first = dot(x_.x0, x_.x0) - radius_sq;
-    const VD second = dot(x_.x1, x_.x1) - radius_sq, third = dot(x_.x2, x_.x2) - radius_sq;
+      : x_(OfMesh<V>(rim.triangles, from.triangle + first).corners(rim.query.centre)) {}
+  [[gnu::always_inline]] const Corners<V>& corners() const { return x_; }
+  [[gnu::always_inline]] Placed<V> placed() const { return {x_.x0, x_.x1 - x_.x0, x_.x2 - x_.x0}; }
+  [[gnu::always_inline]] Powers<V> powers(V radius_sq) const {
+    const V first = dot(x_.x0, x_.x0) - radius_sq;
+    const V second = dot(x_.x1, x_.x1) - radius_sq, third = dot(x_.x2, x_.x2) - radius_sq;
     return {first, second, third, second - first, third - first};
   }
 
  private:
-  Corners<VD> x_;
+  Corners<V> x_;
 };
-template <>
-class InLanes<float> {
+template <class V>
+class InLanes<V, float> {
  public:
   [[gnu::always_inline]] InLanes(const Rim<float>&, const Waiting<float>& from, int first) : w_(from), first_(first) {}
-  [[gnu::always_inline]] Placed<VF> placed() const {
-    return {rows_of(w_.x, first_), rows_of(w_.e1, first_), rows_of(w_.e2, first_)};
+  [[gnu::always_inline]] Placed<V> placed() const {
+    return {rows_of<V>(w_.x, first_), rows_of<V>(w_.e1, first_), rows_of<V>(w_.e2, first_)};
   }
-  [[gnu::always_inline]] Powers<VF> powers(VF) const {
-    const VF first = load<VF>(w_.power + first_), to_second = load<VF>(w_.to_second + first_);
-    const VF to_third = load<VF>(w_.to_third + first_);
+  [[gnu::always_inline]] Powers<V> powers(V) const {
+    const V first = load<V>(w_.power + first_), to_second = load<V>(w_.to_second + first_);
+    const V to_third = load<V>(w_.to_third + first_);
     return {first, first + to_second, first + to_third, to_second, to_third};
   }
 
@@ -106,11 +104,13 @@ class InLanes<float> {
 };
 
 /// Their normals.
-[[gnu::always_inline]] inline Fan<VD> normals_from(const Rim<double>& rim, const Names& names, int first) {
-  return FourOfMesh(rim.triangles, names.triangle + first).normals();
+template <class V>
+[[gnu::always_inline]] inline Fan<V> normals_from(const Rim<double>& rim, const Names& names, int first) {
+  return OfMesh<V>(rim.triangles, names.triangle + first).normals();
 }
-[[gnu::always_inline]] inline Fan<VF> normals_from(const Rim<float>&, const Waiting<float>& w, int first) {
-  return {rows_of(w.u, first), rows_of(w.d1, first), rows_of(w.d2, first)};
+template <class V, class Triangles>
+[[gnu::always_inline]] inline Fan<V> normals_from(const Rim<float>&, const Triangles& w, int first) {
+  return {rows_of<V>(w.u, first), rows_of<V>(w.d1, first), rows_of<V>(w.d2, first)};
 }
 
 /// Four triangles that take the general form.
@@ -124,19 +124,16 @@ class WidenedInLanes {
   Placed<VD> placed() const { return {at(w_.x), at(w_.e1), at(w_.e2)}; }
 
  private:
-  Vector3<VD> at(const double (&rows)[3][Names::kPlaces]) const { return rows_of(rows, first_); }
+  Vector3<VD> at(const double (&rows)[3][Names::kPlaces]) const { return rows_of<VD>(rows, first_); }
 
   const Irregular<float>& w_;
   int first_;
 };
-inline InLanes<double> four_irregular(const Rim<double>& rim, int first) {
+inline InLanes<VD> four_irregular(const Rim<double>& rim, int first) {
   return {rim, rim.ball.irregular, first};
 }
 inline WidenedInLanes four_irregular(const Rim<float>& rim, int first) {
   return {rim.ball.irregular, first};
-}
-inline Fan<VD> normals_from(const Rim<float>&, const Irregular<float>& w, int first) {
-  return {rows_of(w.u, first), rows_of(w.d1, first), rows_of(w.d2, first)};
 }
 
 /// Lets the triangle at a place of those that wait take the general form.
