@@ -190,8 +190,9 @@ const Table& baseline_table();
 const Table& avx2_table();
 /// With AVX-512 besides.
 const Table& avx512_table();
-/// Its measures, without: an area of nothing is to be 0.
+/// Their measures, without: an area of nothing is to be 0.
 void measure_avx2(const TriangleView& triangles, std::size_t begin, std::size_t end, double* out);
+void measure_avx512(const TriangleView& triangles, std::size_t begin, std::size_t end, double* out);
 #endif
 
 /// The tables that this processor can use, from the slowest on.
