@@ -7,7 +7,7 @@ Tables usable_tables() {
   Tables tables;
   const auto add = [&](const Table& table) { tables.of[tables.count++] = &table; };
   add(baseline_table());
-#if defined(KAPPA_AVX2_KERNELS)
+#if defined(KAPPA_X86_KERNELS)
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   // Not asked for itself: processors that have AVX-512 without it, up to 2020, run much slower for long vectors.
   const bool recent = __builtin_cpu_supports("avx512vbmi2");

@@ -185,7 +185,7 @@ struct Table {
 };
 
 const Table& baseline_table();
-#if defined(KAPPA_AVX2_KERNELS)
+#if defined(KAPPA_X86_KERNELS)
 /// With fused multiply-add.
 const Table& avx2_table();
 /// With AVX-512 besides.
