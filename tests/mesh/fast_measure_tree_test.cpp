@@ -131,6 +131,48 @@ TEST(FastMeasureTree, MissesNothingOfTrianglesMuchLargerThanTheBall) {
   }
 }
 
+/// Centres of unit balls that reach over the edges of a triangle by up to 0.02.
+std::vector<Vec3> beside_edges(const std::vector<Vec3>& corners, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> along(0, 1);
+  const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3;
+  std::vector<Vec3> centres;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 a = corners[i], b = corners[(i + 1) % 3], edge = (b - a).normalized();
+    const double to_foot = edge.dot(centroid - a);
+    if (to_foot < 0 || to_foot > (b - a).norm()) continue;
+    const Vec3 foot = a + to_foot * edge, outward = (foot - centroid).normalized();
+    for (int k = 0; k < 20; ++k)
+      centres.emplace_back(foot + (along(random) - 0.5) * edge + (1 - 0.02 * along(random)) * outward);
+  }
+  return centres;
+}
+
+/// What floats, and squares of doubles, lose over such ways is more than the ball has of the triangle.
+TEST(MeasureTrees, FindTrianglesTenMillionTimesTheBallThatItHardlyReaches) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> within(-1, 1);
+  for (const double size : {1e3, 1e5, 1e6, 1e7}) {
+    for (int i = 0; i < 40; ++i) {
+      Mesh mesh;
+      for (int k = 0; k < 3; ++k)
+        mesh.vertices.emplace_back(size * Vec3(within(random), within(random), within(random)));
+      mesh.faces.add({0, 1, 2});
+      const std::vector<Vec3> centres = beside_edges(mesh.vertices, random);
+      const MeasuredTriangles t = measure_triangles(mesh, Normals(3, Vec3(0, 0, 1)));
+      const auto truth = test::brute_force(t, centres, {1.0}, BallDefinition::ExactDensity);
+      for (const kernels::Table* const table : tables()) {
+        for (const Precision precision : {Precision::Double, Precision::Fast}) {
+          const auto found =
+              test::sums(MeasureTree(t, precision, *table), centres, {1.0}, BallDefinition::ExactDensity);
+          for (std::size_t k = 0; k < centres.size(); ++k)
+            EXPECT_NEAR(found[k].sum.area, truth[k].ball.sum.area, 2e-5)
+                << table->name << (precision == Precision::Fast ? " fast " : " double ") << size;
+        }
+      }
+    }
+  }
+}
+
 TEST(FastMeasureTree, MissesNothingOfScatteredTriangles) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> within(-1, 1);

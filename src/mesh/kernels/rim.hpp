@@ -91,9 +91,10 @@ template <bool kMoments, class Real>
 /// does to the others.
 template <class V>
 [[gnu::always_inline]] inline V margin_of(V longest_sq, double radius) {
+  constexpr double kRounding = 1e-14;  // of squared distances over longest_sq: more than that of the powers
   if constexpr (std::is_same_v<RealOf<V>, double>) {
     const V r = splat<V>(radius);
-    return splat<V>(Limits<double>::kClear) * r * max(r, sqrt(longest_sq));
+    return splat<V>(Limits<double>::kClear) * r * max(r, sqrt(longest_sq)) + splat<V>(kRounding) * longest_sq;
   } else {
     return splat<V>(0);
   }
