@@ -80,6 +80,7 @@ double integral(const BorderEdge& edge, const Vec3& centre, double radius) {
 
 std::vector<Bounds> boxes_of(const std::vector<BorderEdge>& edges) {
   std::vector<Bounds> boxes;
+  boxes.reserve(edges.size());
   for (const BorderEdge& e : edges) boxes.push_back({e.from.cwiseMin(e.to), e.from.cwiseMax(e.to)});
   return boxes;
 }

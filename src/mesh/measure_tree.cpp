@@ -137,6 +137,7 @@ class Hierarchy {
     const std::vector<SharedWalk> walks = shared_walks(radii, mean_area());
     const std::vector<Index> order = spatial_order(centres);
     std::vector<WalkSpace<Real>> spaces;
+    spaces.reserve(static_cast<std::size_t>(thread_count(run)));
     for (int i = 0; i < thread_count(run); ++i) spaces.emplace_back(t, leaves_.size(), walks, ball);
     parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
       WalkSpace<Real>& space = spaces[static_cast<std::size_t>(worker)];

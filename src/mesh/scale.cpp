@@ -225,6 +225,7 @@ void measure_group(const BallSum& balls, const Points& points, const std::vector
                    const std::vector<Choice>& choices, double radius, BallDefinition ball, const Execution& run,
                    std::vector<CurvatureSample>& samples) {
   std::vector<Vec3> x;
+  x.reserve(group.size());
   for (const Index i : group) x.push_back(points.x[i]);
   const std::vector<double> radii = order_radii(radius, choices[group.front()].order);
   balls.sum(x, radii, ball, run, [&](std::size_t q, const BallMeasures* measures) {

@@ -151,7 +151,8 @@ void fill(HeightGrid& surface) {
   HeightGrid coarse = coarser(surface);
   fill(coarse);
   for (const std::size_t i : holes) {
-    const auto x = static_cast<double>(i % surface.columns), y = static_cast<double>(i / surface.columns);
+    const std::size_t column = i % surface.columns, row = i / surface.columns;
+    const auto x = static_cast<double>(column), y = static_cast<double>(row);
     surface.z[i] = coarse.interpolate(0.5 * (x - 0.5), 0.5 * (y - 0.5));
   }
   smooth_holes(surface, holes);

@@ -79,6 +79,7 @@ std::vector<Ring> rings_by_number(const std::vector<Return>& returns, const std:
     if (std::isfinite(number[r.point])) of_number[number[r.point]].push_back(r);
   }
   std::vector<Ring> rings;
+  rings.reserve(of_number.size());
   for (auto& entry : of_number) rings.push_back(std::move(entry.second));
   return rings;
 }

@@ -291,7 +291,7 @@ std::string short_number(double value) {
 }  // namespace
 
 std::string automatic_radius_reason(const Surface& s) {
-  const std::string edges = "5 median edges of " + short_number(s.spacing);
+  std::string edges = "5 median edges of " + short_number(s.spacing);
   if (!(s.scale.noise >= 0)) return edges;
   if (!(radius_for_noise(s) > kAutomaticRadius * s.spacing))
     return edges + ", noise " + short_number(s.scale.noise) + " asks for no more";
