@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "kappa/core/execution.hpp"
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -32,6 +35,24 @@ inline void advise_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
 #endif
 }
 
+/// Fetches memory that is not in use yet on all threads: the system clears it, which for one takes longer than to fill
+/// it, and page by page longer still. A hint as well.
+inline void fetch_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes,
+                        [[maybe_unused]] const Execution& run) {
+#if defined(__linux__) && defined(MADV_POPULATE_WRITE)
+  constexpr std::size_t kPart = std::size_t{1} << 21;
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+  if (begin >= end) return;
+  const std::uintptr_t first = begin / kPart, parts = (end - 1) / kPart + 1 - first;
+  parallel_for(parts, 1, stage(run, 0.0, 0.0), [&](std::size_t part, std::size_t, int) {
+    const std::uintptr_t from = std::max(begin, (first + part) * kPart), to = std::min(end, (first + part + 1) * kPart);
+    madvise(reinterpret_cast<void*>(from), to - from, MADV_POPULATE_WRITE);
+  });
+#endif
+}
+
 /// Room for `count` elements in an empty vector that will be large.
 template <class T>
 void reserve_large(std::vector<T>& values, std::size_t count) {
@@ -39,11 +60,23 @@ void reserve_large(std::vector<T>& values, std::size_t count) {
   advise_large_pages(values.data(), values.capacity() * sizeof(T));
 }
 
+/// A vector of `count` elements in small pages, for results that are filled once and read once in order: large ones are
+/// no faster there, and where the system has none at hand it takes longer to make them.
+template <class T>
+std::vector<T> fetched_vector(std::size_t count, const T& value, const Execution& run) {
+  std::vector<T> values;
+  values.reserve(count);
+  fetch_pages(values.data(), values.capacity() * sizeof(T), run);
+  values.resize(count, value);
+  return values;
+}
+
 /// A large vector of `count` elements.
 template <class T>
-std::vector<T> large_vector(std::size_t count, const T& value = T()) {
+std::vector<T> large_vector(std::size_t count, const T& value = T(), const Execution& run = {}) {
   std::vector<T> values;
   reserve_large(values, count);
+  fetch_pages(values.data(), values.capacity() * sizeof(T), run);
   values.resize(count, value);
   return values;
 }

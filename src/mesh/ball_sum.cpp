@@ -9,6 +9,7 @@
 
 #include "kappa/core/error.hpp"
 #include "kappa/core/triangle_ball.hpp"
+#include "parallel_bounds.hpp"
 
 namespace kappa {
 namespace {
@@ -137,14 +138,21 @@ void BruteForceBallSum::do_sum(const std::vector<Vec3>& centres, const std::vect
   });
 }
 
-std::vector<Index> spatial_order(const std::vector<Vec3>& points) {
-  const Bounds b = bounds(points);
+std::vector<Index> spatial_order(const std::vector<Vec3>& points, const Execution& run) {
+  constexpr std::size_t kBlock = 16384;
+  const Bounds b = parallel_bounds(points.size(), run, [&](std::size_t i, Bounds& part) {
+    if (!is_finite(points[i])) return;
+    part.min = part.min.cwiseMin(points[i]);
+    part.max = part.max.cwiseMax(points[i]);
+  });
   const double extent = std::max((b.max - b.min).maxCoeff(), std::numeric_limits<double>::min());
   std::vector<Keyed> keyed(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool finite = is_finite(points[i]);
-    keyed[i] = {finite ? morton_code(points[i], b, extent) : ~std::uint64_t{0}, static_cast<Index>(i)};
-  }
+  parallel_for(points.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool finite = is_finite(points[i]);
+      keyed[i] = {finite ? morton_code(points[i], b, extent) : ~std::uint64_t{0}, static_cast<Index>(i)};
+    }
+  });
   sort_by_key(keyed);
   std::vector<Index> order(points.size());
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& entry) { return entry.index; });

@@ -23,6 +23,9 @@ inline kernels::TriangleView view_of(const MeasuredTriangles& t) {
           beside};
 }
 
+/// Makes the measures of all triangles, in their place if there are any.
+void measure_all(MeasuredTriangles& t, const kernels::Table& table, const Execution& run);
+
 /// Radii in increasing order, and where each stood.
 struct SortedRadii {
   std::vector<std::size_t> given;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "../core/large_array.hpp"
 #include "border.hpp"
 #include "border_correction.hpp"
 #include "curvature_sample.hpp"
@@ -104,7 +105,7 @@ std::vector<CurvatureField> measure_balls(const BallSum& balls, const std::vecto
                                           BorderCorrection* border) {
   std::vector<CurvatureField> fields;
   for (const double radius : options.radii)
-    fields.push_back({radius, std::vector<CurvatureSample>(centres.size()), options.order});
+    fields.push_back({radius, fetched_vector(centres.size(), CurvatureSample(), run), options.order});
   const BallPlan plan(options.radii, options.order);
   balls.sum(centres, plan.radii, options.ball, run, [&](std::size_t q, const BallMeasures* measures) {
     if (!usable(centres[q], u[q])) return;
@@ -232,9 +233,13 @@ CurvatureField estimate_at_vertices(const MeasuredTriangles& triangles, const No
 std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals& u, const CurvatureOptions& options,
                                                 const Execution& run) {
   validate(options);
-  const Execution first = stage(run, 0.0, 0.1);
-  const MeasureTree balls(options.refine > 0 ? measure_refined(mesh, u, options.refine, first)
-                                             : measure_triangles(mesh, u, options.quads, first));
+  const Execution first = stage(run, 0.0, 0.05), second = stage(run, 0.05, 0.1);
+  const auto triangles = [&] {
+    if (options.refine > 0) return measure_refined(mesh, u, options.refine, first);
+    if (options.quads == QuadMeasures::Split) return unmeasured_triangles(mesh, u);
+    return measure_triangles(mesh, u, options.quads, first);
+  };
+  const MeasureTree balls(triangles(), Precision::Double, second);
   return estimate_curvatures(balls, u, options, stage(run, 0.1, 1.0));
 }
 
@@ -263,16 +268,14 @@ void mark_borders(CurvatureField& field, double least) {
 }
 
 FieldSummary::Percentiles percentiles(std::vector<double>& values) {
-  FieldSummary::Percentiles p;
-  p.p1 = percentile(values, 1);
-  p.p50 = percentile(values, 50);
-  p.p99 = percentile(values, 99);
-  return p;
+  const std::vector<double> p = percentiles(values, {1, 50, 99});
+  return {p[0], p[1], p[2]};
 }
 
-FieldSummary summarise(const CurvatureField& field) {
+FieldSummary summarise(const CurvatureField& field, const Execution& run) {
   FieldSummary summary;
   std::vector<double> mean, gaussian, k_min, k_max;
+  for (auto* values : {&mean, &gaussian, &k_min, &k_max}) values->reserve(field.samples.size());
   for (const CurvatureSample& s : field.samples) {
     switch (s.k.status) {
       case PointStatus::Valid:
@@ -297,10 +300,11 @@ FieldSummary summarise(const CurvatureField& field) {
     k_min.push_back(s.k.k_min);
     k_max.push_back(s.k.k_max);
   }
-  summary.mean = percentiles(mean);
-  summary.gaussian = percentiles(gaussian);
-  summary.k_min = percentiles(k_min);
-  summary.k_max = percentiles(k_max);
+  const std::pair<FieldSummary::Percentiles*, std::vector<double>*> quantities[] = {
+      {&summary.mean, &mean}, {&summary.gaussian, &gaussian}, {&summary.k_min, &k_min}, {&summary.k_max, &k_max}};
+  parallel_for(std::size(quantities), 1, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) *quantities[i].first = percentiles(*quantities[i].second);
+  });
   return summary;
 }
 

@@ -21,24 +21,25 @@ constexpr std::size_t kTogether = 16;  ///< queries that share the way to where 
 
 /// The triangles in the order of the tree. Where their measures follow from the rest they are computed anew in their
 /// place: a second array of them would be the largest thing that a run ever holds, and takes longer to fill.
-MeasuredTriangles in_order(MeasuredTriangles t, const kernels::Table& table) {
-  const std::vector<Index> order = tree_order(t);
-  const auto apply = [&](auto& values) {
+MeasuredTriangles in_order(MeasuredTriangles t, const kernels::Table& table, const Execution& run) {
+  const std::vector<Index> order = tree_order(t, stage(run, 0.0, 0.0));
+  const auto put_in_order = [&](auto& values) {
     if (values.empty()) return;
     std::decay_t<decltype(values)> sorted;
     reserve_large(sorted, values.size());
     for (const Index i : order) sorted.push_back(values[i]);
     values = std::move(sorted);
   };
-  apply(t.corners);
-  apply(t.weights);
-  apply(t.beside);
-  apply(t.faces);
-  if (!t.beside.empty()) {
-    apply(t.measures);
-  } else if (!t.measures.empty()) {
-    table.measure(view_of(t), 0, t.size(), &t.measures[0].area);
-  }
+  const bool keeps_measures = !t.beside.empty();
+  const std::function<void()> arrays[] = {[&] { put_in_order(t.corners); }, [&] { put_in_order(t.weights); },
+                                          [&] { put_in_order(t.faces); }, [&] { put_in_order(t.beside); },
+                                          [&] {
+                                            if (keeps_measures) put_in_order(t.measures);
+                                          }};
+  parallel_for(std::size(arrays), 1, stage(run, 0.6, 0.6), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) arrays[i]();
+  });
+  if (!keeps_measures) measure_all(t, table, stage(run, 0.6, 0.7));
   return t;
 }
 
@@ -118,9 +119,10 @@ template <class Real>
 class Hierarchy {
  public:
   /// In floats it takes the measures away: those of whole nodes stand in their sums, and the leaves have all the rest.
-  explicit Hierarchy(MeasuredTriangles& t) : triangles_(t.size()), frame_(t), levels_(make_levels(t, frame_)) {
+  Hierarchy(MeasuredTriangles& t, const Execution& run)
+      : triangles_(t.size()), frame_(t, stage(run, 0.0, 0.0)), levels_(make_levels(t, frame_, stage(run, 0.0, 0.0))) {
     if (std::is_same_v<Real, float>) std::vector<MeasureSum>().swap(t.measures);
-    leaves_ = make_leaves<Real>(t, frame_);
+    leaves_ = make_leaves<Real>(t, frame_, run);
   }
 
   std::size_t bytes() const {
@@ -135,7 +137,7 @@ class Hierarchy {
            const Execution& run, const BallSum::Sink& sink) const {
     const TreeView<Real> tree = view(triangles);
     const std::vector<SharedWalk> walks = shared_walks(radii, mean_area());
-    const std::vector<Index> order = spatial_order(centres);
+    const std::vector<Index> order = spatial_order(centres, stage(run, 0.0, 0.0));
     std::vector<WalkSpace<Real>> spaces;
     spaces.reserve(static_cast<std::size_t>(thread_count(run)));
     for (int i = 0; i < thread_count(run); ++i) spaces.emplace_back(t, leaves_.size(), walks, ball);
@@ -197,22 +199,24 @@ struct MeasureTree::Impl {
   std::unique_ptr<const Hierarchy<float>> in_float;
   kernels::TriangleView view;
 
-  Impl(MeasuredTriangles measured, Precision precision, const kernels::Table& kernels)
-      : triangles(in_order(std::move(measured), kernels)), table(kernels) {
+  Impl(MeasuredTriangles measured, Precision precision, const kernels::Table& kernels, const Execution& run)
+      : triangles(in_order(std::move(measured), kernels, run)), table(kernels) {
+    const Execution last = stage(run, 0.7, 1.0);
     if (precision == Precision::Double) {
-      in_double = std::make_unique<Hierarchy<double>>(triangles);
+      in_double = std::make_unique<Hierarchy<double>>(triangles, last);
     } else {
-      in_float = std::make_unique<Hierarchy<float>>(triangles);
+      in_float = std::make_unique<Hierarchy<float>>(triangles, last);
     }
     view = view_of(triangles);
   }
 };
 
-MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision)
-    : MeasureTree(std::move(triangles), precision, kernels::best_table()) {}
+MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision, const Execution& run)
+    : MeasureTree(std::move(triangles), precision, kernels::best_table(), run) {}
 
-MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table)
-    : impl_(std::make_unique<Impl>(std::move(triangles), precision, table)) {}
+MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table,
+                         const Execution& run)
+    : impl_(std::make_unique<Impl>(std::move(triangles), precision, table, run)) {}
 
 MeasureTree::~MeasureTree() = default;
 

@@ -9,6 +9,7 @@
 #include "../core/large_array.hpp"
 #include "kappa/mesh/ball_sum.hpp"
 #include "kernels/views.hpp"
+#include "parallel_bounds.hpp"
 
 // Boxes, sums and leaves of a measure tree over triangles in its order.
 
@@ -20,14 +21,13 @@ struct BoxFrame {
   double unit = 1;
 
   BoxFrame() = default;
-  explicit BoxFrame(const MeasuredTriangles& t) {
-    Bounds b;
-    for (const auto& corners : t.corners) {
-      for (const Index v : corners) {
-        b.min = b.min.cwiseMin(t.x[v]);
-        b.max = b.max.cwiseMax(t.x[v]);
+  BoxFrame(const MeasuredTriangles& t, const Execution& run) {
+    const Bounds b = parallel_bounds(t.size(), run, [&](std::size_t i, Bounds& part) {
+      for (const Index v : t.corners[i]) {
+        part.min = part.min.cwiseMin(t.x[v]);
+        part.max = part.max.cwiseMax(t.x[v]);
       }
-    }
+    });
     if (b.empty()) return;
     middle = b.min / 2 + b.max / 2;
     const double half = (b.max / 2 - b.min / 2).maxCoeff();
@@ -58,9 +58,9 @@ struct LevelData {
   std::vector<kernels::BoxBlock> boxes;
   std::vector<MeasureSum> sums;
 
-  explicit LevelData(std::size_t nodes)
-      : boxes(large_vector((nodes + kernels::kWidth - 1) / kernels::kWidth, empty_block())),
-        sums(large_vector<MeasureSum>(nodes)) {}
+  LevelData(std::size_t nodes, const Execution& run)
+      : boxes(large_vector((nodes + kernels::kWidth - 1) / kernels::kWidth, empty_block(), run)),
+        sums(large_vector(nodes, MeasureSum(), run)) {}
 
   void extend(std::size_t node, int axis, float lo, float hi) {
     kernels::BoxBlock& block = boxes[node / kernels::kWidth];
@@ -82,20 +82,24 @@ inline Bounds bounds_of_leaf(const MeasuredTriangles& t, std::size_t leaf) {
   return b;
 }
 
-inline LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame) {
-  LevelData level((t.size() + kernels::kWidth - 1) / kernels::kWidth);
-  for (std::size_t leaf = 0; leaf < level.sums.size(); ++leaf) {
-    for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i)
-      level.sums[leaf] += t.measures[i];
-    const Bounds b = bounds_of_leaf(t, leaf);
-    const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
-    for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), rounded_up(hi[axis]));
-  }
+inline constexpr std::size_t kNodes = 512;  ///< that a thread makes at a time, whole blocks of boxes
+
+inline LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame, const Execution& run) {
+  LevelData level((t.size() + kernels::kWidth - 1) / kernels::kWidth, run);
+  parallel_for(level.sums.size(), kNodes, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t leaf = begin; leaf < end; ++leaf) {
+      for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i)
+        level.sums[leaf] += t.measures[i];
+      const Bounds b = bounds_of_leaf(t, leaf);
+      const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
+      for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), rounded_up(hi[axis]));
+    }
+  });
   return level;
 }
 
-inline LevelData parent_level(const LevelData& below) {
-  LevelData level(below.boxes.size());
+inline LevelData parent_level(const LevelData& below, const Execution& run) {
+  LevelData level(below.boxes.size(), run);
   for (std::size_t child = 0; child < below.sums.size(); ++child) {
     const std::size_t node = child / kernels::kWidth, lane = child % kernels::kWidth;
     level.sums[node] += below.sums[child];
@@ -105,11 +109,11 @@ inline LevelData parent_level(const LevelData& below) {
   return level;
 }
 
-inline std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& frame) {
+inline std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& frame, const Execution& run) {
   std::vector<LevelData> levels;
   if (t.size() == 0) return levels;
-  levels.push_back(leaf_level(t, frame));
-  while (levels.back().boxes.size() > 1) levels.push_back(parent_level(levels.back()));
+  levels.push_back(leaf_level(t, frame, run));
+  while (levels.back().boxes.size() > 1) levels.push_back(parent_level(levels.back(), run));
   return levels;
 }
 
@@ -198,9 +202,12 @@ inline void fill(const MeasuredTriangles& t, std::size_t number, const BoxFrame&
 
 /// Rows that are not filled are 0.
 template <class Real>
-std::vector<kernels::Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& frame) {
-  auto leaves = large_vector<kernels::Leaf<Real>>((t.size() + kernels::kWidth - 1) / kernels::kWidth);
-  for (std::size_t i = 0; i < leaves.size(); ++i) fill(t, i, frame, leaves[i]);
+std::vector<kernels::Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& frame, const Execution& run) {
+  const std::size_t count = (t.size() + kernels::kWidth - 1) / kernels::kWidth;
+  auto leaves = large_vector(count, kernels::Leaf<Real>(), run);
+  parallel_for(leaves.size(), kNodes, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) fill(t, i, frame, leaves[i]);
+  });
   return leaves;
 }
 

@@ -109,25 +109,28 @@ void take_faces(MeasuredTriangles& t, const Mesh& mesh, bool all_vertices_usable
   }
 }
 
-void measure_all(MeasuredTriangles& t, const Execution& run) {
+}  // namespace
+
+void measure_all(MeasuredTriangles& t, const kernels::Table& table, const Execution& run) {
   if (t.size() == 0) return;
-  const kernels::Table& table = kernels::best_table();
   const kernels::TriangleView view = view_of(t);
   const auto measure = [&](std::size_t begin, std::size_t end) {
     table.measure(view, begin, end, &t.measures[0].area);
   };
-  reserve_large(t.measures, t.size());
-  if (thread_count(run) > 1) {
-    t.measures.resize(t.size());
+  if (thread_count(run) > 1 || !t.measures.empty()) {
+    if (t.measures.empty()) t.measures = large_vector(t.size(), MeasureSum(), run);
     parallel_for(t.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { measure(begin, end); });
     return;
   }
+  reserve_large(t.measures, t.size());
   grow_at_hand(t.size(), [&](std::size_t begin, std::size_t end) {
     check_cancelled(run);
     t.measures.resize(end);
     measure(begin, end);
   });
 }
+
+namespace {
 
 /// The four parts of a quad get what its bilinear patch has over them, by area: whole quads then have the bilinear
 /// measures, and a part of one differs from its bilinear part by less than the two forms of the quad do.
@@ -152,15 +155,20 @@ void spread_bilinear(MeasuredTriangles& t, std::size_t first) {
 
 }  // namespace
 
-MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads,
-                                    const Execution& run) {
+MeasuredTriangles unmeasured_triangles(const Mesh& mesh, const Normals& normals) {
   validate(mesh);
   if (normals.size() != mesh.vertices.size())
     throw Error(ErrorCode::InvalidArgument, std::to_string(normals.size()) + " normals for " +
                                                 std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
   MeasuredTriangles t;
   take_faces(t, mesh, take_vertices(t, mesh, normals));
-  measure_all(t, run);
+  return t;
+}
+
+MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads,
+                                    const Execution& run) {
+  MeasuredTriangles t = unmeasured_triangles(mesh, normals);
+  measure_all(t, kernels::best_table(), run);
   if (quads == QuadMeasures::Bilinear) {
     t.beside.resize(t.size());
     for (std::size_t i = 0; i < t.size(); ++i) {

@@ -206,8 +206,8 @@ ShapeOperators measured_shapes(MeasuredTriangles triangles, const Normals& norma
   CurvatureOptions options;
   options.radii = {radius};
   options.order = kShapeOrder;
-  const MeasureTree balls(std::move(triangles));
-  const std::vector<CurvatureField> fields = estimate_curvatures(balls, normals, options, run);
+  const MeasureTree balls(std::move(triangles), Precision::Double, stage(run, 0.0, 0.1));
+  const std::vector<CurvatureField> fields = estimate_curvatures(balls, normals, options, stage(run, 0.1, 1.0));
   ShapeOperators shapes;
   shapes.reserve(normals.size());
   for (const CurvatureSample& s : fields.front().samples) shapes.push_back(shape_of(s.k));

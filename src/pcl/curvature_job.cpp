@@ -44,7 +44,8 @@ CurvatureSample sample_of(const BallSum& balls, const CurvatureJob& job, std::si
 }  // namespace
 
 std::vector<CurvatureSample> run(const CurvatureJob& job, const Execution& execution) {
-  const MeasureTree balls(measured_surface(job, stage(execution, 0, 0.5)));
+  const MeasureTree balls(measured_surface(job, stage(execution, 0, 0.4)), Precision::Double,
+                          stage(execution, 0.4, 0.5));
   const Execution rest = stage(execution, 0.5, 1);
   if (job.radii.empty()) {
     auto fields = estimate_curvatures(balls, job.centres, job.centre_normals, options_of(job, job.radius), rest);

@@ -9,8 +9,9 @@
 namespace kappa {
 namespace {
 
-std::vector<Index> first_at_each(const std::vector<Vec3>& points, const std::vector<Index>& representative) {
-  std::vector<Index> order = spatial_order(points);
+std::vector<Index> first_at_each(const std::vector<Vec3>& points, const std::vector<Index>& representative,
+                                 const Execution& run) {
+  std::vector<Index> order = spatial_order(points, stage(run, 0.0, 0.0));
   order.erase(std::remove_if(order.begin(), order.end(), [&](Index i) { return representative[i] != i; }), order.end());
   order.shrink_to_fit();
   return order;
@@ -27,9 +28,9 @@ std::vector<T> kept(const std::vector<T>& values, const std::vector<char>& keep)
 
 }  // namespace
 
-Positions::Positions(const std::vector<Vec3>& points)
+Positions::Positions(const std::vector<Vec3>& points, const Execution& run)
     : representative(find_duplicates(points)),
-      original(first_at_each(points, representative)),
+      original(first_at_each(points, representative, run)),
       x(gathered(points, original)),
       search(x) {}
 

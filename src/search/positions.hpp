@@ -11,7 +11,7 @@ namespace kappa {
 /// The finite positions of a cloud, each once, along a space-filling curve, with a search among them: what the stages
 /// of a surface share.
 struct Positions {
-  explicit Positions(const std::vector<Vec3>& points);
+  explicit Positions(const std::vector<Vec3>& points, const Execution& run = {});
   /// Those for which keep[i] is not 0.
   Positions(const Positions& all, const std::vector<char>& keep);
 

@@ -194,7 +194,7 @@ void use_turned_faces(const Scan& scan, const SurfaceOptions& options, const Sur
 void use_planned_faces(const Scan& scan, const SurfaceOptions& options, const SurfaceChoice& choice, Surface& s,
                        const Execution& run) {
   const Execution first = stage(run, 0.0, 0.5), second = stage(run, 0.5, 1.0);
-  const Positions positions(scan.points);
+  const Positions positions(scan.points, first);
   s.u = s.normals == NormalsKind::Input ? normalised(scan.normals) : fitted_normals(positions, options, s, first);
   orient(scan, choice, s);
   if (s.kind == SurfaceKind::Greedy) {
@@ -241,7 +241,7 @@ void count_points(const Scan& scan, Surface& s) {
 }  // namespace
 
 Surface make_surface(const Scan& scan, const SurfaceOptions& options, const Execution& run) {
-  if (bounds(scan.points).empty())
+  if (std::none_of(scan.points.begin(), scan.points.end(), is_finite))
     throw Error(ErrorCode::InvalidData,
                 "none of the " + std::to_string(scan.points.size()) + " points is finite: there is nothing to measure");
   const SurfaceChoice choice = choose_surface(scan, options);
@@ -259,10 +259,17 @@ Surface make_surface(const Scan& scan, const SurfaceOptions& options, const Exec
   s.averaging_passes = options.averaging_passes;
   if (options.averaging_passes > 0 || from_faces(s.normals)) copy_to_twins(s);
   count_points(scan, s);
-  s.spacing = alone ? median_spacing(scan.points) : median_edge_length(s.mesh);
-  if (!scan.is_mesh() && s.agreement.pairs == 0)
-    s.agreement =
-        alone ? normal_agreement(scan.points, s.u, {}, stage(run, 0.9, 1.0)) : agreement_on_faces(s.mesh, s.u);
+  const bool needs_agreement = !scan.is_mesh() && s.agreement.pairs == 0;
+  if (alone) {
+    s.spacing = median_spacing(scan.points);
+    if (needs_agreement) s.agreement = normal_agreement(scan.points, s.u, {}, stage(run, 0.9, 1.0));
+    return s;
+  }
+  const auto look_at_faces = [&](std::size_t task) {
+    if (task == 0) s.spacing = median_edge_length(s.mesh);
+    if (task == 1 && needs_agreement) s.agreement = agreement_on_faces(s.mesh, s.u);
+  };
+  parallel_for(2, 1, stage(run, 0.9, 1.0), [&](std::size_t task, std::size_t, int) { look_at_faces(task); });
   return s;
 }
 

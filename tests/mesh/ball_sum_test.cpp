@@ -261,6 +261,9 @@ TEST(SpatialOrder, IsAPermutationWithTheLostLast) {
   ASSERT_EQ(order.size(), points.size());
   EXPECT_EQ((std::vector<Index>{std::min(order[1998], order[1999]), std::max(order[1998], order[1999])}),
             (std::vector<Index>{17, 900}));
+  Execution run;
+  run.threads = 3;
+  EXPECT_EQ(spatial_order(points, run), order);
   double walk = 0, given = 0;
   for (std::size_t i = 1; i < 1998; ++i) walk += (points[order[i]] - points[order[i - 1]]).norm();
   for (std::size_t i = 902; i < 2000; ++i) given += (points[i] - points[i - 1]).norm();

@@ -230,6 +230,31 @@ TEST(MeasureTree, CanBeCancelled) {
   EXPECT_LT(answered, s.mesh.vertices.size());
 }
 
+TEST(MeasureTree, IsTheSameMadeByAnyNumberOfThreadsAndWithoutMeasures) {
+  const Shape s = shapes::torus(3, 1, 200, 90);  // several parts for every thread
+  const std::vector<Vec3> centres = places(s.mesh, 50, 0.4);
+  const MeasureTree expected(measure_triangles(s.mesh, s.normals));
+  const auto sums = test::sums(expected, centres, {0.3}, BallDefinition::ExactDensity);
+  for (int threads = 1; threads <= 3; ++threads) {
+    Execution run;
+    run.threads = threads;
+    const MeasureTree tree(unmeasured_triangles(s.mesh, s.normals), Precision::Double, run);
+    EXPECT_EQ(tree.triangles().corners, expected.triangles().corners) << threads;
+    EXPECT_EQ(tree.triangles().faces, expected.triangles().faces) << threads;
+    const auto got = test::sums(tree, centres, {0.3}, BallDefinition::ExactDensity);
+    for (std::size_t i = 0; i < got.size(); ++i)
+      EXPECT_EQ(std::memcmp(&got[i].sum, &sums[i].sum, sizeof got[i].sum), 0) << i << ", threads " << threads;
+  }
+}
+
+TEST(MeasureTree, CanBeCancelledWhileItIsMade) {
+  const Shape s = shapes::torus(3, 1, 60, 40);
+  const std::atomic<bool> stop{true};
+  Execution run;
+  run.cancel = &stop;
+  EXPECT_THROW(MeasureTree(unmeasured_triangles(s.mesh, s.normals), Precision::Double, run), Cancelled);
+}
+
 TEST(MeasureTree, ExactDensityIsUnchangedWhenFacesAreSplitInFour) {
   const Shape coarse = shapes::torus(3, 1, 40, 24), fine = shapes::subdivided(coarse);
   const MeasureTree coarse_tree(measure_triangles(coarse.mesh, coarse.normals));

@@ -175,9 +175,12 @@ TEST(Statistics, PercentilesAreRankedValues) {
     if (count > 2) values[1] = HUGE_VAL, values[2] = -HUGE_VAL;
     std::vector<double> sorted = values;
     std::sort(sorted.begin(), sorted.end());
-    for (const double p : {0.0, 1.0, 37.5, 50.0, 99.0, 100.0}) {
+    const std::vector<double> parts = {0.0, 1.0, 37.5, 50.0, 99.0, 100.0}, together = percentiles(values, parts);
+    for (const double p : parts) {
       const auto rank = static_cast<std::size_t>(std::llround(p / 100 * static_cast<double>(count - 1)));
       EXPECT_EQ(percentile(values, p), sorted[rank]) << p << " of " << count;
+      const auto at = std::find(parts.begin(), parts.end(), p) - parts.begin();
+      EXPECT_EQ(together[static_cast<std::size_t>(at)], sorted[rank]) << p << " of " << count << " with others";
     }
   }
   std::vector<double> none;

@@ -51,6 +51,10 @@ struct MeasuredTriangles {
 MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads = QuadMeasures::Split,
                                     const Execution& run = {});
 
+/// The same without measures, which follow from the rest where quads are split: for MeasureTree, which makes them when
+/// it has the triangles in its order.
+MeasuredTriangles unmeasured_triangles(const Mesh& mesh, const Normals& normals);
+
 /// Measures of whole triangle `t`, times its weight: the stored ones if there are any, else computed.
 MeasureSum measures_of(const MeasuredTriangles& triangles, std::size_t t);
 
@@ -103,6 +107,6 @@ class BruteForceBallSum final : public BallSum {
 };
 
 /// Indices of `points` along a space-filling (Morton) curve; points that are not finite come last.
-std::vector<Index> spatial_order(const std::vector<Vec3>& points);
+std::vector<Index> spatial_order(const std::vector<Vec3>& points, const Execution& run = {});
 
 }  // namespace kappa

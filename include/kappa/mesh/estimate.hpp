@@ -127,7 +127,7 @@ struct FieldSummary {
     double p1 = kNaN, p50 = kNaN, p99 = kNaN;
   } mean, gaussian, k_min, k_max;
 };
-FieldSummary summarise(const CurvatureField& field);
+FieldSummary summarise(const CurvatureField& field, const Execution& run = {});
 
 /// Of values as kappa::percentile takes them, which it reorders.
 FieldSummary::Percentiles percentiles(std::vector<double>& values);

@@ -32,9 +32,11 @@ enum class Precision {
 /// measures, 72 a triangle.
 class MeasureTree final : public BallSum {
  public:
-  explicit MeasureTree(MeasuredTriangles triangles, Precision precision = Precision::Double);
+  /// On the threads of `run`, which change no bit of it.
+  /// @throws Cancelled
+  explicit MeasureTree(MeasuredTriangles triangles, Precision precision = Precision::Double, const Execution& run = {});
   /// With the kernels of one instruction set instead of the best that the processor has: for tests.
-  MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table);
+  MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table, const Execution& run = {});
   ~MeasureTree() override;
   /// In the order of the tree, not of the faces; in fast without stored measures (see measures_of()).
   const MeasuredTriangles& triangles() const override;

@@ -12,6 +12,9 @@ namespace kappa {
 /// none. May reorder the values, which must not be NaN. Cost: linear.
 double percentile(std::vector<double>& values, double p);
 
+/// The same of each of `p`, at little more cost than one.
+std::vector<double> percentiles(std::vector<double>& values, const std::vector<double>& p);
+
 /// Statistics of the differences between two lists of numbers, over the entries where both are finite.
 struct ErrorStatistics {
   std::string field;
