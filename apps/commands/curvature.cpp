@@ -17,11 +17,13 @@ void run_curvature(const CurvatureArguments& arguments) {
   Stages stages(arguments.run.threads, arguments.run.seed, arguments.run.quiet);
   const Measured m = measure_input(arguments, Keep::Curvatures, stages);
   stages.run("write", [&](const Execution& run) {
-    Scan out = output_scan(m);
+    const std::vector<Index> places = m.order.places();
+    Scan out = output_scan(m, places, stage(run, 0.0, 0.1));
     for (std::size_t r = 0; r < m.fields.size(); ++r) {
-      for (Field& field : curvature_fields(m.fields[r], field_suffix(m, r))) out.fields.push_back(std::move(field));
+      for (Field& field : curvature_fields(m.fields[r], field_suffix(m, r), places, stage(run, 0.1, 0.2)))
+        out.fields.push_back(std::move(field));
     }
-    write_scan(arguments.output, out, run);
+    write_scan(arguments.output, out, stage(run, 0.2, 1.0));
   });
   print_summary(arguments, m, {}, stages.timed());
 }

@@ -15,9 +15,10 @@ namespace kappa::app {
 
 namespace {
 
-std::unique_ptr<BallSum> make_engine(MeasuredTriangles triangles, const MeasureArguments& arguments) {
+std::unique_ptr<BallSum> make_engine(MeasuredTriangles triangles, const MeasureArguments& arguments,
+                                     const Execution& run) {
   if (arguments.engine == "flann") return std::make_unique<FlannBallSum>(std::move(triangles));
-  return std::make_unique<MeasureTree>(std::move(triangles), arguments.precision);
+  return std::make_unique<MeasureTree>(std::move(triangles), arguments.precision, run);
 }
 
 /// Curvature needs one unit of length: degrees are none.
@@ -94,7 +95,7 @@ SurfaceResult make_sorted_surface(const SurfaceCommand& arguments, Stages& stage
       "filter", [&](const Execution& run) { return filter(r.scan, arguments.input, arguments.filters, run); });
   if (options.viewpoint) options.viewpoint->z() *= r.filtered.heights.z_scale();
   r.surface = stages.run("surface", [&](const Execution& run) {
-    if (!triangle_scheme(options.surface)) r.order = PointOrder(r.scan);
+    if (!triangle_scheme(options.surface)) r.order = PointOrder(r.scan, run);
     return make_surface(r.order.changes() ? r.order.sorted(r.scan) : r.scan, options, run);
   });
   r.filtered.restore(r.scan);
@@ -131,7 +132,9 @@ SurfaceCommand with_measured_radius(const CurvatureArguments& arguments) {
 
 MeasuredTriangles measure_faces(const Surface& surface, const MeasureArguments& how, const Execution& run) {
   if (how.refine > 0) return measure_refined(surface.mesh, surface.u, how.refine, run);
-  return measure_triangles(surface.mesh, surface.u, how.quads, run);
+  const bool by_tree = how.engine != "flann" && how.quads == QuadMeasures::Split;
+  return by_tree ? unmeasured_triangles(surface.mesh, surface.u)
+                 : measure_triangles(surface.mesh, surface.u, how.quads, run);
 }
 
 Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, Keep keep, Stages& stages) {
@@ -140,11 +143,11 @@ Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, 
   m.scan.fields = {};  // not written with the curvatures, and large
   m.faces = m.surface.mesh.faces.size();
   m.balls = stages.run("measures", [&](const Execution& run) {
-    MeasuredTriangles triangles = measure_faces(m.surface, arguments.measure, run);
+    MeasuredTriangles triangles = measure_faces(m.surface, arguments.measure, stage(run, 0.0, 0.3));
     // The summary looks at the mesh again if it was refined.
     if (keep == Keep::Curvatures && arguments.measure.refine == 0) m.surface.mesh = {};
     if (keep == Keep::Curvatures) m.surface.twins = {};
-    return make_engine(std::move(triangles), arguments.measure);
+    return make_engine(std::move(triangles), arguments.measure, stage(run, 0.3, 1.0));
   });
   m.has_faces = true;
   m.dropped_faces = m.balls->triangles().dropped_faces;
@@ -227,26 +230,30 @@ Measured measure_input(const CurvatureArguments& arguments, Keep keep, Stages& s
     m.fields =
         stages.run("curvatures", [&](const Execution& run) { return measure(m, arguments.measure, radii, run); });
     if (keep == Keep::Curvatures) m.balls.reset();
-    restore_order(m);
+    if (keep == Keep::Everything) restore_order(m);
   }
   check_fields(arguments.input, m.fields);
   return m;
 }
 
-Scan output_scan(const SurfaceResult& result) {
+Scan output_scan(const SurfaceResult& result, const std::vector<Index>& places, const Execution& run) {
   const Scan& in = result.scan;
   Scan out;
   out.origin = in.origin;
   out.points = in.points;
-  out.normals = result.surface.u;
+  out.normals.resize(in.points.size());
   out.faces = in.faces;
   out.width = in.width;
   out.height = in.height;
   out.viewpoint = in.viewpoint;
   out.las = in.las;
-  for (Vec3& u : out.normals) {
-    u = u.isZero(0) ? Vec3::Constant(kNaN) : result.filtered.heights.normal_of_file(u);
-  }
+  constexpr std::size_t kBlock = 4096;
+  parallel_for(out.normals.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3& u = result.surface.u[places.empty() ? i : places[i]];
+      out.normals[i] = u.isZero(0) ? Vec3::Constant(kNaN) : result.filtered.heights.normal_of_file(u);
+    }
+  });
   return out;
 }
 

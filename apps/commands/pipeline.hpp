@@ -48,7 +48,7 @@ void need_faces(const SurfaceArguments& arguments, const std::string& command);
 struct Measured : SurfaceResult {
   /// Null if the surface has no faces, or they are needed no more. From `measure_input`, in an order of its own.
   std::unique_ptr<BallSum> balls;
-  std::vector<CurvatureField> fields;  ///< one a radius; without faces one alone
+  std::vector<CurvatureField> fields;  ///< one a radius, in the order of the surface; without faces one alone
   bool automatic = false;              ///< the radius was chosen from the spacing
   bool has_faces = false;              ///< else triangles of each point alone are measured
   std::size_t faces = 0;               ///< of the surface, also where they are not kept
@@ -58,7 +58,8 @@ struct Measured : SurfaceResult {
 /// What is needed when the curvatures are known.
 enum class Keep {
   Everything,
-  Curvatures  ///< mesh and balls are given up as early as can be: half of the memory
+  /// Mesh and balls are given up as early as can be: half of the memory. Surface and curvatures stay in `order`.
+  Curvatures
 };
 
 /// Reads and makes the surface; the balls are ready to be summed.
@@ -76,8 +77,9 @@ std::vector<CurvatureField> measure(const Measured& measured, const MeasureArgum
 /// @throws Error as the stages do, and InvalidData if no point has a curvature.
 Measured measure_input(const CurvatureArguments& arguments, Keep keep, Stages& stages);
 
-/// The points with their corrected normals (NaN where there is none) and the faces of the scan, as they are written.
-Scan output_scan(const SurfaceResult& result);
+/// The points with their corrected normals (NaN where there is none) and the faces of the scan, as they are written;
+/// `places` are those of result.order.
+Scan output_scan(const SurfaceResult& result, const std::vector<Index>& places = {}, const Execution& run = {});
 
 /// Suffix of the fields of a radius: empty if there is only one radius.
 std::string field_suffix(const Measured& measured, std::size_t radius);

@@ -44,9 +44,9 @@ Faces renamed(const Faces& faces, const std::vector<Index>& names) {
 
 }  // namespace
 
-PointOrder::PointOrder(const Scan& scan) {
+PointOrder::PointOrder(const Scan& scan, const Execution& run) {
   if (scan.is_mesh() || scan.is_organised()) return;
-  file_ = spatial_order(scan.points);
+  file_ = spatial_order(scan.points, stage(run, 0.0, 0.0));
   if (std::is_sorted(file_.begin(), file_.end())) file_.clear();
 }
 
@@ -59,6 +59,12 @@ Scan PointOrder::sorted(const Scan& scan) const {
   result.viewpoint = scan.viewpoint;
   const Field* const ring = scan.field("ring");
   if (ring) result.fields = {{ring->name, ring->type, gathered(ring->values, file_)}};
+  return result;
+}
+
+std::vector<Index> PointOrder::places() const {
+  std::vector<Index> result(file_.size());
+  for (Index i = 0; i < file_.size(); ++i) result[file_[i]] = i;
   return result;
 }
 

@@ -13,13 +13,16 @@ namespace kappa::app {
 class PointOrder {
  public:
   PointOrder() = default;
-  explicit PointOrder(const Scan& scan);
+  PointOrder(const Scan& scan, const Execution& run);
 
   /// False if everything stays where it is.
   bool changes() const { return !file_.empty(); }
 
   /// What a surface is made of, in the new order: points, normals, viewpoint and the field "ring".
   Scan sorted(const Scan& scan) const;
+
+  /// Place in the new order of each point of the file; empty if they are the same.
+  std::vector<Index> places() const;
 
   /// Back from the new order to that of the file.
   void restore(Surface& surface) const;

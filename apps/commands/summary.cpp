@@ -92,8 +92,14 @@ void warn_of_rough_normals(const Measured& m, int refinements) {
       "leave it out\n");
 }
 
-void print_field(const Measured& m, const CurvatureField& field) {
-  const FieldSummary s = summarise(field);
+Execution execution_of(const CurvatureArguments& arguments) {
+  Execution run;
+  run.threads = arguments.run.threads;
+  return run;
+}
+
+void print_field(const Measured& m, const CurvatureField& field, const Execution& run) {
+  const FieldSummary s = summarise(field, run);
   if (field.own_scales()) {
     print_own_scales(field);
     std::printf("curvatures  %zu valid", s.valid);
@@ -137,7 +143,7 @@ void print_text(const CurvatureArguments& arguments, const Measured& m, const st
   warn_of_disagreement(m.surface.agreement);
   warn_of_rough_normals(m, arguments.measure.refine);
   for (std::size_t r = 0; r < m.fields.size(); ++r) {
-    print_field(m, m.fields[r]);
+    print_field(m, m.fields[r], execution_of(arguments));
     if (r < segments.size()) print_segments(segments[r]);
   }
   std::printf("seconds    ");
@@ -163,8 +169,8 @@ Json segments_json(const SegmentSummary& s) {
       .add("labels", labels);
 }
 
-Json field_json(const CurvatureField& field) {
-  const FieldSummary s = summarise(field);
+Json field_json(const CurvatureField& field, const Execution& run) {
+  const FieldSummary s = summarise(field, run);
   return Json()
       .add("radius", field.radius)
       .add("typical_radius", typical_radius(field))
@@ -182,7 +188,7 @@ void print_json(const CurvatureArguments& arguments, const Measured& m, const st
                 const std::vector<Stages::Timed>& timed) {
   std::vector<std::string> fields;
   for (std::size_t r = 0; r < m.fields.size(); ++r) {
-    Json field = field_json(m.fields[r]);
+    Json field = field_json(m.fields[r], execution_of(arguments));
     if (r < segments.size()) field.add("segments", segments_json(segments[r]));
     fields.push_back(field.text());
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
+#include "kappa/core/error.hpp"
 #include "kappa/io/write.hpp"
 #include "writers.hpp"
 
@@ -8,34 +7,55 @@ namespace kappa {
 
 namespace {
 
-using Value = double (*)(const CurvatureSample&);
+/// Writes a value of each of some samples.
+using Take = void (*)(const CurvatureSample* const* from, std::size_t count, double* to);
 
 struct Entry {
   const char* name;
   Field::Type type;
-  Value value;
+  Take take;
 };
+
+template <auto kMember>
+double of_sample(const CurvatureSample& s) {
+  return static_cast<double>(s.*kMember);
+}
+
+template <auto kMember>
+double of_curvature(const CurvatureSample& s) {
+  return static_cast<double>(s.k.*kMember);
+}
+
+template <auto kMember, int kAxis>
+double of_direction(const CurvatureSample& s) {
+  return (s.k.*kMember)[kAxis];
+}
+
+template <double (*kValue)(const CurvatureSample&)>
+void take(const CurvatureSample* const* from, std::size_t count, double* to) {
+  for (std::size_t i = 0; i < count; ++i) to[i] = kValue(*from[i]);
+}
 
 constexpr Field::Type kReal = Field::Type::Float64;
 
 constexpr Entry kEntries[] = {
-    {"mean_curvature", kReal, [](const CurvatureSample& s) { return s.k.mean; }},
-    {"gaussian_curvature", kReal, [](const CurvatureSample& s) { return s.k.gaussian; }},
-    {"k_min", kReal, [](const CurvatureSample& s) { return s.k.k_min; }},
-    {"k_max", kReal, [](const CurvatureSample& s) { return s.k.k_max; }},
-    {"dir_min_x", kReal, [](const CurvatureSample& s) { return s.k.dir_min.x(); }},
-    {"dir_min_y", kReal, [](const CurvatureSample& s) { return s.k.dir_min.y(); }},
-    {"dir_min_z", kReal, [](const CurvatureSample& s) { return s.k.dir_min.z(); }},
-    {"dir_max_x", kReal, [](const CurvatureSample& s) { return s.k.dir_max.x(); }},
-    {"dir_max_y", kReal, [](const CurvatureSample& s) { return s.k.dir_max.y(); }},
-    {"dir_max_z", kReal, [](const CurvatureSample& s) { return s.k.dir_max.z(); }},
-    {"mu0", kReal, [](const CurvatureSample& s) { return s.mu0; }},
-    {"mu1", kReal, [](const CurvatureSample& s) { return s.mu1; }},
-    {"mu2", kReal, [](const CurvatureSample& s) { return s.mu2; }},
-    {"area", kReal, [](const CurvatureSample& s) { return s.area; }},
-    {"coverage", kReal, [](const CurvatureSample& s) { return s.coverage; }},
-    {"face_count", Field::Type::UInt32, [](const CurvatureSample& s) { return static_cast<double>(s.face_count); }},
-    {"status", Field::Type::UInt8, [](const CurvatureSample& s) { return static_cast<double>(s.k.status); }},
+    {"mean_curvature", kReal, take<of_curvature<&Curvatures::mean>>},
+    {"gaussian_curvature", kReal, take<of_curvature<&Curvatures::gaussian>>},
+    {"k_min", kReal, take<of_curvature<&Curvatures::k_min>>},
+    {"k_max", kReal, take<of_curvature<&Curvatures::k_max>>},
+    {"dir_min_x", kReal, take<of_direction<&Curvatures::dir_min, 0>>},
+    {"dir_min_y", kReal, take<of_direction<&Curvatures::dir_min, 1>>},
+    {"dir_min_z", kReal, take<of_direction<&Curvatures::dir_min, 2>>},
+    {"dir_max_x", kReal, take<of_direction<&Curvatures::dir_max, 0>>},
+    {"dir_max_y", kReal, take<of_direction<&Curvatures::dir_max, 1>>},
+    {"dir_max_z", kReal, take<of_direction<&Curvatures::dir_max, 2>>},
+    {"mu0", kReal, take<of_sample<&CurvatureSample::mu0>>},
+    {"mu1", kReal, take<of_sample<&CurvatureSample::mu1>>},
+    {"mu2", kReal, take<of_sample<&CurvatureSample::mu2>>},
+    {"area", kReal, take<of_sample<&CurvatureSample::area>>},
+    {"coverage", kReal, take<of_sample<&CurvatureSample::coverage>>},
+    {"face_count", Field::Type::UInt32, take<of_sample<&CurvatureSample::face_count>>},
+    {"status", Field::Type::UInt8, take<of_curvature<&Curvatures::status>>},
 };
 
 template <class T>
@@ -48,10 +68,9 @@ Field field_of(const char* name, Field::Type type, const std::vector<T>& values)
   return field;
 }
 
-constexpr Entry kError = {"std_error", kReal, [](const CurvatureSample& s) { return s.std_error; }};
-constexpr Entry kScale[] = {
-    {"radius", kReal, [](const CurvatureSample& s) { return s.radius; }},
-    {"order", Field::Type::UInt8, [](const CurvatureSample& s) { return static_cast<double>(s.order); }}};
+constexpr Entry kError = {"std_error", kReal, take<of_sample<&CurvatureSample::std_error>>};
+constexpr Entry kScale[] = {{"radius", kReal, take<of_sample<&CurvatureSample::radius>>},
+                            {"order", Field::Type::UInt8, take<of_sample<&CurvatureSample::order>>}};
 
 std::vector<Entry> entries_of(const CurvatureField& field) {
   std::vector<Entry> entries(std::begin(kEntries), std::end(kEntries));
@@ -62,22 +81,25 @@ std::vector<Entry> entries_of(const CurvatureField& field) {
 
 }  // namespace
 
-std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix) {
-  const std::vector<Entry> entries = entries_of(field);
+std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix,
+                                    const std::vector<Index>& order, const Execution& run) {
   const std::size_t count = field.samples.size();
+  if (!order.empty() && order.size() != count)
+    throw Error(ErrorCode::InvalidArgument, "an order of " + std::to_string(order.size()) + " for " +
+                                                std::to_string(count) + " samples: give one of all");
+  const std::vector<Entry> entries = entries_of(field);
   std::vector<Field> fields(entries.size());
-  for (std::size_t c = 0; c < fields.size(); ++c) {
+  parallel_for(fields.size(), 1, stage(run, 0.0, 0.0), [&](std::size_t c, std::size_t, int) {
     fields[c].name = entries[c].name + suffix;
     fields[c].type = entries[c].type;
     fields[c].values.resize(count);
-  }
+  });
   constexpr std::size_t kNear = 256;  // samples that stay at hand for all of their columns
-  for (std::size_t begin = 0; begin < count; begin += kNear) {
-    const std::size_t end = std::min(count, begin + kNear);
-    for (std::size_t c = 0; c < fields.size(); ++c) {
-      for (std::size_t i = begin; i < end; ++i) fields[c].values[i] = entries[c].value(field.samples[i]);
-    }
-  }
+  parallel_for(count, kNear, run, [&](std::size_t begin, std::size_t end, int) {
+    const CurvatureSample* near[kNear];
+    for (std::size_t i = begin; i < end; ++i) near[i - begin] = &field.samples[order.empty() ? i : order[i]];
+    for (std::size_t c = 0; c < fields.size(); ++c) entries[c].take(near, end - begin, &fields[c].values[begin]);
+  });
   return fields;
 }
 

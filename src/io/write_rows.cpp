@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PLY and PCD: a text header, then the same rows of little-endian numbers.
 #include <algorithm>
+#include <condition_variable>
 #include <limits>
+#include <mutex>
 
 #include "scalar.hpp"
 #include "writers.hpp"
@@ -51,15 +53,49 @@ class RowBlock {
   std::vector<double> values_;
 };
 
+/// What threads that take parts of a whole in increasing order do one after the other.
+class Turns {
+ public:
+  /// Ends when those before have ended, so that however one is left, those that wait for it go on.
+  class Turn {
+   public:
+    Turn(Turns& turns, std::size_t number) : turns_(turns), number_(number) {}
+    ~Turn() {
+      wait();
+      const std::lock_guard<std::mutex> lock(turns_.mutex_);
+      ++turns_.next_;
+      turns_.changed_.notify_all();
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+    /// Until those before have ended.
+    void wait() {
+      std::unique_lock<std::mutex> lock(turns_.mutex_);
+      turns_.changed_.wait(lock, [&] { return turns_.next_ == number_; });
+    }
+
+   private:
+    Turns& turns_;
+    std::size_t number_;
+  };
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::size_t next_ = 0;
+};
+
+/// One thread writes while the others fill blocks.
 void write_rows(std::ostream& out, const Scan& scan, const Execution& run) {
-  const std::size_t count = scan.points.size();
-  RowBlock block(scan);
-  for (std::size_t begin = 0; begin < count; begin += kRows) {
-    check_cancelled(run);
-    if (run.progress) run.progress(static_cast<double>(begin) / static_cast<double>(count));
-    const std::string& bytes = block.fill(begin, std::min(count, begin + kRows));
+  std::vector<RowBlock> blocks(static_cast<std::size_t>(thread_count(run)), RowBlock(scan));
+  Turns turns;
+  parallel_for(scan.points.size(), kRows, run, [&](std::size_t begin, std::size_t end, int worker) {
+    Turns::Turn turn(turns, begin / kRows);
+    const std::string& bytes = blocks[static_cast<std::size_t>(worker)].fill(begin, end);
+    turn.wait();
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  }
+  });
 }
 
 const char* ply_type(Field::Type type) {

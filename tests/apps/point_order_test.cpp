@@ -75,7 +75,12 @@ TEST(PointOrder, CurvaturesAndLabelsStandInTheOrderOfTheFileAndDoNotDependOnIt) 
     EXPECT_EQ(values_of(forward, field), turned) << field;
   }
   EXPECT_EQ(forward.field("status")->values[50], static_cast<double>(PointStatus::Invalid));
-  EXPECT_EQ(values_of(result_of("curvature", scan), "mean_curvature"), values_of(forward, "mean_curvature"));
+  const Scan alone = result_of("curvature", scan);
+  for (const char* field : {"mean_curvature", "dir_max_x", "face_count"})
+    EXPECT_EQ(values_of(alone, field), values_of(forward, field)) << field;
+  ASSERT_EQ(alone.normals.size(), forward.normals.size());
+  for (std::size_t i = 0; i < alone.normals.size(); ++i)
+    EXPECT_TRUE(same(alone.normals[i].z(), forward.normals[i].z())) << i;
 }
 
 TEST(PointOrder, CurvatureIsThatOfThePlaceOfItsPoint) {

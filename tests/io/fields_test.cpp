@@ -35,6 +35,16 @@ TEST(CurvatureFields, HaveNameOrderAndValueOfTheDesign) {
   EXPECT_EQ(fields[16].values[1], 3.0);
 }
 
+TEST(CurvatureFields, AreInTheOrderAskedFor) {
+  const std::vector<Index> order = {1, 0};
+  const std::vector<Field> fields = curvature_fields(one_sample(), "", order);
+  for (std::size_t f = 0; f < 15; ++f) {
+    EXPECT_TRUE(std::isnan(fields[f].values[0])) << f;
+    EXPECT_EQ(fields[f].values[1], static_cast<double>(f + 1));
+  }
+  EXPECT_THROW(curvature_fields(one_sample(), "", {0}), Error);
+}
+
 TEST(RadiusSuffix, IsTheShortestDecimal) {
   EXPECT_EQ(radius_suffix(0), "_r0");
   EXPECT_EQ(radius_suffix(8), "_r8");

@@ -113,5 +113,29 @@ TEST(ReadScan, ExtensionInAnyCase) {
   EXPECT_EQ(scan_of("A.Obj", "v 1 2 3\n").points.size(), 1u);
 }
 
+TEST(Ply, IsWrittenAlikeByAnyNumberOfThreads) {
+  const test::TemporaryFolder folder;
+  Scan scan;
+  for (int i = 0; i < 5000; ++i) scan.points.emplace_back(i, -i, 0.5 * i);
+  scan.fields = {{"number", Field::Type::UInt16, std::vector<double>(5000, 7)}};
+  std::string expected;
+  for (int threads = 1; threads <= 3; ++threads) {
+    Execution run;
+    run.threads = threads;
+    write_scan(folder.file("out.ply"), scan, run);
+    std::stringstream bytes;
+    bytes << std::ifstream(folder.file("out.ply"), std::ios::binary).rdbuf();
+    if (threads == 1) expected = bytes.str();
+    EXPECT_EQ(bytes.str(), expected) << threads;
+  }
+  EXPECT_GT(expected.size(), 5000u * 26);
+  const std::atomic<bool> stop{true};
+  Execution stopped;
+  stopped.threads = 3;
+  stopped.cancel = &stop;
+  EXPECT_THROW(write_scan(folder.file("none.ply"), scan, stopped), Cancelled);
+  EXPECT_EQ(folder.size(), 1u);
+}
+
 }  // namespace
 }  // namespace kappa
