@@ -110,14 +110,16 @@ void search_alone(benchmark::State& state, const std::string& surface, int faces
 
 void build(benchmark::State& state, const std::string& name) {
   const MeasuredTriangles& t = bench::measured("torus");
+  Execution one;  // as FLANN has
+  one.threads = 1;
   for (auto _ : state) {
     state.PauseTiming();
     MeasuredTriangles copy = t;
     state.ResumeTiming();
     std::unique_ptr<BallSum> balls;
     if (name == "flann") balls = std::make_unique<FlannBallSum>(std::move(copy));
-    if (name == "tree") balls = std::make_unique<MeasureTree>(std::move(copy));
-    if (name == "fast") balls = std::make_unique<MeasureTree>(std::move(copy), Precision::Fast);
+    if (name == "tree") balls = std::make_unique<MeasureTree>(std::move(copy), Precision::Double, one);
+    if (name == "fast") balls = std::make_unique<MeasureTree>(std::move(copy), Precision::Fast, one);
     benchmark::DoNotOptimize(balls.get());
     state.PauseTiming();
     if (const auto* tree = dynamic_cast<const MeasureTree*>(balls.get()))
