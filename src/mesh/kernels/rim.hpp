@@ -67,8 +67,10 @@ template <bool kMoments, class Real>
     if (rim.triangles.weights) weigh(rim.triangles.weights, names, piece);
     const Placed<VD> t = four.placed();
     const Vector3<VD> normal = cross(t.e1, t.e2);
+    Integrals<VD> found = no_integrals<VD>();
     add_densities(normals_from<VD>(rim, rim.ball.irregular, first), t.e1, t.e2, normal, dot(normal, normal), piece,
-                  rim.ball);
+                  found);
+    add_lanes(rim.ball, found);
   }
   rim.ball.irregular.count = 0;
 }
@@ -206,10 +208,12 @@ template <bool kMoments, class Real>
     each([&](int first, Batch<V>& b) { add_beside(beside, waiting.triangle + first, b.piece.share, rim.ball); });
   if (const double* const weights = rim.triangles.weights)
     each([&](int first, Batch<V>& b) { weigh(weights, waiting.triangle + first, b.piece); });
+  each([&](int first, Batch<V>& b) __attribute__((always_inline)) { account<kMoments>(rim, first, b); });
+  Integrals<V> found = no_integrals<V>();
   each([&](int first, Batch<V>& b) __attribute__((always_inline)) {
-    account<kMoments>(rim, first, b);
-    add_densities(normals_from<V>(rim, waiting, first), b.e1, b.e2, b.normal, b.disc.normal_sq, b.piece, rim.ball);
+    add_densities(normals_from<V>(rim, waiting, first), b.e1, b.e2, b.normal, b.disc.normal_sq, b.piece, found);
   });
+  add_lanes(rim.ball, found);
 }
 
 /// Adds all that waits.
