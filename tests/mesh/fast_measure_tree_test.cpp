@@ -173,6 +173,36 @@ TEST(MeasureTrees, FindTrianglesTenMillionTimesTheBallThatItHardlyReaches) {
   }
 }
 
+/// The normal of a needle has few digits in floats.
+TEST(FastMeasureTree, MissesNothingOfNeedlesMuchLongerThanTheBall) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> within(-1, 1);
+  const auto direction = [&] { return Vec3(within(random), within(random), within(random)).normalized(); };
+  for (const double flatness : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    for (int i = 0; i < 60; ++i) {
+      const Vec3 along = direction(), across = along.cross(direction()).normalized(), up = along.cross(across);
+      const double size = 40 + 50 * std::abs(within(random));
+      Mesh mesh;
+      mesh.vertices = {-size * along, size * along, (within(random) * along + 2 * flatness * across) * size};
+      for (Vec3& x : mesh.vertices) x += direction();
+      mesh.faces.add({0, 1, 2});
+      const Vec3 centroid = (mesh.vertices[0] + mesh.vertices[1] + mesh.vertices[2]) / 3;
+      std::vector<Vec3> centres;
+      for (int k = 0; k < 60; ++k)
+        centres.emplace_back(centroid + 0.6 * size * within(random) * along + (0.995 + 0.005 * within(random)) * up);
+      const Normals normals(3, up);
+      const MeasuredTriangles t = measure_triangles(mesh, normals);
+      const auto truth = test::brute_force(t, centres, {1.0}, BallDefinition::ExactDensity);
+      for (const kernels::Table* const table : tables()) {
+        const auto found =
+            test::sums(MeasureTree(t, Precision::Fast, *table), centres, {1.0}, BallDefinition::ExactDensity);
+        for (std::size_t k = 0; k < centres.size(); ++k)
+          EXPECT_NEAR(found[k].sum.area, truth[k].ball.sum.area, 2e-5) << table->name << " " << flatness;
+      }
+    }
+  }
+}
+
 TEST(FastMeasureTree, MissesNothingOfScatteredTriangles) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> within(-1, 1);

@@ -191,8 +191,9 @@ template <class Real>
 
 /// Triangles whose planes the ball does not reach, whatever floats make of places as far away as these.
 inline unsigned out_of_plane(const Vector3<VF>& x, const Vector3<VF>& normal, VF longest_sq, VF radius) {
-  const VF away = sqrt(dot(x, x)) + sqrt(longest_sq), reach = radius + spread(1e-6F) * away;
-  return bits(absolute(dot(normal, x)) > sqrt(dot(normal, normal)) * reach);
+  // The normal is off by roundings of longest^2, which for needles is much more than its length.
+  const VF off = spread(1e-6F) * longest_sq * (sqrt(dot(x, x)) + sqrt(longest_sq));
+  return bits(absolute(dot(normal, x)) > sqrt(dot(normal, normal)) * radius + off);
 }
 
 /// Takes those of a leaf that reaches much farther than the ball, as among scattered or giant triangles. Squared
