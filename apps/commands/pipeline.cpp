@@ -132,9 +132,8 @@ SurfaceCommand with_measured_radius(const CurvatureArguments& arguments) {
 
 MeasuredTriangles measure_faces(const Surface& surface, const MeasureArguments& how, const Execution& run) {
   if (how.refine > 0) return measure_refined(surface.mesh, surface.u, how.refine, run);
-  const bool by_tree = how.engine != "flann" && how.quads == QuadMeasures::Split;
-  return by_tree ? unmeasured_triangles(surface.mesh, surface.u)
-                 : measure_triangles(surface.mesh, surface.u, how.quads, run);
+  const auto triangles_of = how.engine == "flann" ? measure_triangles : triangles_for_tree;
+  return triangles_of(surface.mesh, surface.u, how.quads, run);
 }
 
 Measured make_balls(SurfaceResult surface, const CurvatureArguments& arguments, Keep keep, Stages& stages) {

@@ -234,12 +234,9 @@ std::vector<CurvatureField> estimate_curvatures(const Mesh& mesh, const Normals&
                                                 const Execution& run) {
   validate(options);
   const Execution first = stage(run, 0.0, 0.05), second = stage(run, 0.05, 0.1);
-  const auto triangles = [&] {
-    if (options.refine > 0) return measure_refined(mesh, u, options.refine, first);
-    if (options.quads == QuadMeasures::Split) return unmeasured_triangles(mesh, u);
-    return measure_triangles(mesh, u, options.quads, first);
-  };
-  const MeasureTree balls(triangles(), Precision::Double, second);
+  const MeasureTree balls(options.refine > 0 ? measure_refined(mesh, u, options.refine, first)
+                                             : triangles_for_tree(mesh, u, options.quads, first),
+                          Precision::Double, second);
   return estimate_curvatures(balls, u, options, stage(run, 0.1, 1.0));
 }
 

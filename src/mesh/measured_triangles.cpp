@@ -153,9 +153,8 @@ void spread_bilinear(MeasuredTriangles& t, std::size_t first) {
   }
 }
 
-}  // namespace
-
-MeasuredTriangles unmeasured_triangles(const Mesh& mesh, const Normals& normals) {
+/// Without measures.
+MeasuredTriangles triangles_of(const Mesh& mesh, const Normals& normals) {
   validate(mesh);
   if (normals.size() != mesh.vertices.size())
     throw Error(ErrorCode::InvalidArgument, std::to_string(normals.size()) + " normals for " +
@@ -165,9 +164,16 @@ MeasuredTriangles unmeasured_triangles(const Mesh& mesh, const Normals& normals)
   return t;
 }
 
+}  // namespace
+
+MeasuredTriangles triangles_for_tree(const Mesh& mesh, const Normals& normals, QuadMeasures quads,
+                                     const Execution& run) {
+  return quads == QuadMeasures::Split ? triangles_of(mesh, normals) : measure_triangles(mesh, normals, quads, run);
+}
+
 MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads,
                                     const Execution& run) {
-  MeasuredTriangles t = unmeasured_triangles(mesh, normals);
+  MeasuredTriangles t = triangles_of(mesh, normals);
   measure_all(t, kernels::best_table(), run);
   if (quads == QuadMeasures::Bilinear) {
     t.beside.resize(t.size());

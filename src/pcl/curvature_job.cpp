@@ -13,11 +13,11 @@ namespace kappa::detail {
 
 namespace {
 
-MeasuredTriangles measured_surface(const CurvatureJob& job, const Execution& execution) {
+MeasuredTriangles triangles_of(const CurvatureJob& job, const Execution& execution) {
   const Mesh& given = job.surface;
-  if (!given.faces.empty()) return measure_triangles(given, job.normals, job.quads, execution);
+  if (!given.faces.empty()) return triangles_for_tree(given, job.normals, job.quads, execution);
   const auto umbrella = umbrella_surface(given.origin, given.vertices, job.normals, job.umbrella, execution);
-  return measure_triangles(umbrella.mesh, job.normals, job.quads, execution);
+  return triangles_for_tree(umbrella.mesh, job.normals, job.quads, execution);
 }
 
 CurvatureOptions options_of(const CurvatureJob& job, double radius) {
@@ -44,8 +44,7 @@ CurvatureSample sample_of(const BallSum& balls, const CurvatureJob& job, std::si
 }  // namespace
 
 std::vector<CurvatureSample> run(const CurvatureJob& job, const Execution& execution) {
-  const MeasureTree balls(measured_surface(job, stage(execution, 0, 0.4)), Precision::Double,
-                          stage(execution, 0.4, 0.5));
+  const MeasureTree balls(triangles_of(job, stage(execution, 0, 0.4)), Precision::Double, stage(execution, 0.4, 0.5));
   const Execution rest = stage(execution, 0.5, 1);
   if (job.radii.empty()) {
     auto fields = estimate_curvatures(balls, job.centres, job.centre_normals, options_of(job, job.radius), rest);

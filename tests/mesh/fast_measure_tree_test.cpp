@@ -19,11 +19,6 @@ using test::places;
 
 constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
 
-std::vector<const kernels::Table*> tables() {
-  const kernels::Tables usable = kernels::usable_tables();
-  return {usable.of, usable.of + usable.count};
-}
-
 /// Largest differences of measures, relative, and of the mean curvature over its largest.
 void expect_fast_close(const Shape& s, double radius, BallDefinition ball,
                        const kernels::Table& kernels = kernels::best_table()) {
@@ -49,7 +44,7 @@ TEST(FastMeasureTree, StaysWithinItsBounds) {
     for (const BallDefinition ball : kBalls) expect_fast_close(s, radius, ball);
   }
   for (const BallDefinition ball : kBalls) {
-    for (const kernels::Table* const table : tables()) expect_fast_close(s, 0.3, ball, *table);
+    for (const kernels::Table* const table : kernels::usable_tables()) expect_fast_close(s, 0.3, ball, *table);
   }
   // Far from the origin, as georeferenced coordinates are.
   for (Vec3& x : s.mesh.vertices) x += Vec3(4e3, -6e3, 1e3);
@@ -127,7 +122,8 @@ TEST(FastMeasureTree, MissesNothingOfTrianglesMuchLargerThanTheBall) {
     const Vec3 foot = edge.dot(centroid) * edge, outward = (foot - centroid).normalized();
     for (int i = 0; i < 300; ++i)
       centres.push_back(foot + (along(random) - 0.5) * edge + (1 - 0.03 * along(random)) * outward);
-    for (const auto* table : tables()) EXPECT_LE(largest_error_of_fast(mesh, normals, centres, *table), 2e-5) << size;
+    for (const auto* table : kernels::usable_tables())
+      EXPECT_LE(largest_error_of_fast(mesh, normals, centres, *table), 2e-5) << size;
   }
 }
 
@@ -160,7 +156,7 @@ TEST(MeasureTrees, FindTrianglesTenMillionTimesTheBallThatItHardlyReaches) {
       const std::vector<Vec3> centres = beside_edges(mesh.vertices, random);
       const MeasuredTriangles t = measure_triangles(mesh, Normals(3, Vec3(0, 0, 1)));
       const auto truth = test::brute_force(t, centres, {1.0}, BallDefinition::ExactDensity);
-      for (const kernels::Table* const table : tables()) {
+      for (const kernels::Table* const table : kernels::usable_tables()) {
         for (const Precision precision : {Precision::Double, Precision::Fast}) {
           const auto found =
               test::sums(MeasureTree(t, precision, *table), centres, {1.0}, BallDefinition::ExactDensity);
@@ -193,7 +189,7 @@ TEST(FastMeasureTree, MissesNothingOfNeedlesMuchLongerThanTheBall) {
       const Normals normals(3, up);
       const MeasuredTriangles t = measure_triangles(mesh, normals);
       const auto truth = test::brute_force(t, centres, {1.0}, BallDefinition::ExactDensity);
-      for (const kernels::Table* const table : tables()) {
+      for (const kernels::Table* const table : kernels::usable_tables()) {
         const auto found =
             test::sums(MeasureTree(t, Precision::Fast, *table), centres, {1.0}, BallDefinition::ExactDensity);
         for (std::size_t k = 0; k < centres.size(); ++k)
@@ -217,7 +213,8 @@ TEST(FastMeasureTree, MissesNothingOfScatteredTriangles) {
     std::vector<Vec3> centres;
     for (const Vec3& x : mesh.vertices) centres.emplace_back(x + place(0.3));
     const Normals normals(mesh.vertices.size(), Vec3(0, 0, 1));
-    for (const auto* table : tables()) EXPECT_LE(largest_error_of_fast(mesh, normals, centres, *table), 2e-5) << apart;
+    for (const auto* table : kernels::usable_tables())
+      EXPECT_LE(largest_error_of_fast(mesh, normals, centres, *table), 2e-5) << apart;
   }
 }
 

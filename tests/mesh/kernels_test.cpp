@@ -30,7 +30,7 @@ struct Balls {
 /// The tables that are not the baseline's.
 std::vector<const kernels::Table*> other_tables() {
   const kernels::Tables tables = kernels::usable_tables();
-  return {tables.of + 1, tables.of + tables.count};
+  return {tables.begin() + 1, tables.end()};
 }
 
 /// Up to what fused products round once: a few roundings of the sum of absolute values.

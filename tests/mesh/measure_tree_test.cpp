@@ -238,7 +238,7 @@ TEST(MeasureTree, IsTheSameMadeByAnyNumberOfThreadsAndWithoutMeasures) {
   for (int threads = 1; threads <= 3; ++threads) {
     Execution run;
     run.threads = threads;
-    const MeasureTree tree(unmeasured_triangles(s.mesh, s.normals), Precision::Double, run);
+    const MeasureTree tree(triangles_for_tree(s.mesh, s.normals), Precision::Double, run);
     EXPECT_EQ(tree.triangles().corners, expected.triangles().corners) << threads;
     EXPECT_EQ(tree.triangles().faces, expected.triangles().faces) << threads;
     const auto got = test::sums(tree, centres, {0.3}, BallDefinition::ExactDensity);
@@ -252,7 +252,7 @@ TEST(MeasureTree, CanBeCancelledWhileItIsMade) {
   const std::atomic<bool> stop{true};
   Execution run;
   run.cancel = &stop;
-  EXPECT_THROW(MeasureTree(unmeasured_triangles(s.mesh, s.normals), Precision::Double, run), Cancelled);
+  EXPECT_THROW(MeasureTree(triangles_for_tree(s.mesh, s.normals), Precision::Double, run), Cancelled);
 }
 
 TEST(MeasureTree, ExactDensityIsUnchangedWhenFacesAreSplitInFour) {

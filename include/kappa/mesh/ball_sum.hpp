@@ -51,9 +51,11 @@ struct MeasuredTriangles {
 MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads = QuadMeasures::Split,
                                     const Execution& run = {});
 
-/// The same without measures, which follow from the rest where quads are split: for MeasureTree, which makes them when
-/// it has the triangles in its order.
-MeasuredTriangles unmeasured_triangles(const Mesh& mesh, const Normals& normals);
+/// The same for MeasureTree: without measures that follow from the rest, which the tree makes when it has the triangles
+/// in its order. With bilinear quads they do not, and are there.
+/// @throws as measure_triangles()
+MeasuredTriangles triangles_for_tree(const Mesh& mesh, const Normals& normals, QuadMeasures quads = QuadMeasures::Split,
+                                     const Execution& run = {});
 
 /// Measures of whole triangle `t`, times its weight: the stored ones if there are any, else computed.
 MeasureSum measures_of(const MeasuredTriangles& triangles, std::size_t t);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "chosen.hpp"
-#include "tree_query.hpp"
+#include "table.hpp"
 
 namespace kappa::kernels {
 
 const Table& avx2_table() {
-  static constexpr Table kTable = {"AVX2",     approach,      run_query<double>, run_query<float>,
-                                   add_chosen, finish_chosen, measure_avx2};
+  static constexpr Table kTable = table_of("AVX2", measure_avx2);
   return kTable;
 }
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "chosen.hpp"
 #include "faces.hpp"
-#include "tree_query.hpp"
+#include "table.hpp"
 
 namespace kappa::kernels {
 
 const Table& baseline_table() {
-  static constexpr Table kTable = {"baseline",    approach, run_query<double>, run_query<float>, add_chosen,
-                                   finish_chosen, measure};
+  static constexpr Table kTable = table_of("baseline", measure);
   return kTable;
 }
 

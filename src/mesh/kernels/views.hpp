@@ -199,6 +199,9 @@ void measure_avx512(const TriangleView& triangles, std::size_t begin, std::size_
 struct Tables {
   int count = 0;
   const Table* of[3] = {};
+
+  const Table* const* begin() const { return of; }
+  const Table* const* end() const { return of + count; }
 };
 Tables usable_tables();
 

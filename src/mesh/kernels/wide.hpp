@@ -19,8 +19,7 @@ inline VD four_sums(VF lanes) {
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 
-/// Sixteen floats. Eight doubles gain nothing: processors run slower for vectors of that length, and doubles spend more
-/// on loads from the mesh, roots and quotients, which are as slow in them.
+/// Sixteen floats. Eight doubles gained nothing (docs/benchmarks.md).
 struct WideF {
   typedef float Lanes __attribute__((vector_size(64)));
   Lanes of;
