@@ -5,8 +5,8 @@
 #include <memory>
 #include <random>
 
-#include "../src/mesh/kernels/views.hpp"
-#include "kappa/mesh/measure_tree.hpp"
+#include "balls/kernels/views.hpp"
+#include "kappa/balls/measure_tree.hpp"
 #include "kappa/search/flann_ball_sum.hpp"
 #include "kappa/search/neighbours.hpp"
 #include "surfaces.hpp"

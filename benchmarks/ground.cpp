@@ -14,7 +14,8 @@
 
 #include "kappa/io/read.hpp"
 #include "kappa/pcl/ground.hpp"
-#include "kappa/surface/ground.hpp"
+#include "kappa/scan/ground.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "../src/mesh/ball_workspace.hpp"
+#include "balls/ball_workspace.hpp"
 #include "surfaces.hpp"
 
 // Measures of every face against the bandwidth of the machine: bytes that must be read and written (vertices, normals

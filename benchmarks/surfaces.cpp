@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "kappa/core/spatial_order.hpp"
 #include "kappa/shapes/random.hpp"
 
 namespace kappa::bench {

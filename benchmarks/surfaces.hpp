@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kappa/mesh/ball_sum.hpp"
+#include "kappa/balls/ball_sum.hpp"
 
 /// Surfaces of about a million triangles and the queries that the benchmarks put to them.
 namespace kappa::bench {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "kappa/mesh/estimate.hpp"
-#include "kappa/mesh/measure_tree.hpp"
+#include "kappa/balls/measure_tree.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "surfaces.hpp"
 
 // whole_run double|fast: curvatures at all vertices of the torus in one process, and the peak of its memory in MiB as

@@ -41,20 +41,14 @@ function(kappa_needs component out)
   set(${out} ${lines} PARENT_SCOPE)
 endfunction()
 
-# Folders of headers that belong to a component beside the one of its name.
-set(kappa_core_headers mesh segment)
-set(kappa_search_headers surface)
-
 function(kappa_install_component component)
   install(TARGETS kappa_${component} EXPORT kappa_${component}_targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(EXPORT kappa_${component}_targets NAMESPACE kappa:: FILE kappa-${component}-targets.cmake
     DESTINATION ${kappa_package_dir})
-  foreach(folder ${component} ${kappa_${component}_headers})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kappa/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kappa
-      FILES_MATCHING PATTERN "*.hpp")
-  endforeach()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/kappa/${component} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/kappa
+    FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
 # In the order in which they were made: each after those that it links.

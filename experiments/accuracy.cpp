@@ -8,11 +8,11 @@
 #include <string>
 #include <utility>
 
+#include "kappa/balls/measure_tree.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/measure_tree.hpp"
-#include "kappa/mesh/refine.hpp"
-#include "kappa/mesh/scale.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/core/percentiles.hpp"
+#include "kappa/curvature/own_scale.hpp"
+#include "kappa/curvature/refine.hpp"
 #include "subjects.hpp"
 #include "tables.hpp"
 

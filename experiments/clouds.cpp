@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "kappa/core/error.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "kappa/shapes/random.hpp"
 #include "rows.hpp"
 #include "tables.hpp"

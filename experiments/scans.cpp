@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/shapes/implicit.hpp"
 #include "kappa/shapes/random.hpp"

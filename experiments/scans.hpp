@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/analytic.hpp"
 
 /// Scans with known curvature that the tables of docs/surfaces.md are about.

@@ -6,7 +6,8 @@
 
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/normals.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "kappa/shapes/noise.hpp"
 #include "kappa/surface/surface.hpp"
 #include "scans.hpp"

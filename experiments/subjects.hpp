@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/shapes/analytic.hpp"
 
 /// Surfaces with known curvature that the tables of docs/accuracy.md are about.

@@ -5,7 +5,8 @@
 #include "command.hpp"
 #include "json.hpp"
 #include "kappa/io/read.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/scan/compare.hpp"
+#include "kappa/scan/scan.hpp"
 #include "summary.hpp"
 
 namespace kappa::app {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/scan/scan.hpp"
 #include "pipeline.hpp"
 #include "summary.hpp"
 

@@ -8,10 +8,14 @@
 #include <limits>
 
 #include "checks.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/io/las.hpp"
+#include "kappa/io/las/file.hpp"
 #include "kappa/pcl/ground.hpp"
-#include "kappa/surface/ground.hpp"
+#include "kappa/scan/ground.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/scan/thin.hpp"
+#include "kappa/scan/units.hpp"
 #include "surface_options.hpp"
 
 namespace kappa::app {
@@ -82,7 +86,7 @@ std::size_t keep_ground(Scan& scan, const std::string& path, const FilterArgumen
                         const Execution& run) {
   if (scan.is_mesh())
     throw Error(ErrorCode::InvalidArgument, "'" + path + "' is a mesh, whose faces need all points; give a cloud");
-  const double metre = 1 / length_units(scan).horizontal.value_or(1);
+  const double metre = 1 / scan.units.horizontal.value_or(1);
   const std::vector<Vec3> points = with_heights_scaled(scan.points, z_scale);
   const std::vector<char> ground = arguments.ground == "pmf" ? ground_by_pmf(points, arguments, metre)
                                                              : ground_by_smrf(points, arguments, metre, run);
@@ -174,7 +178,7 @@ Filtered filter(Scan& scan, const std::string& path, const FilterArguments& argu
 }
 
 std::string unit_warning(const Scan& scan, const std::string& path, const FilterArguments& arguments) {
-  const double factor = length_units(scan).z_scale();
+  const double factor = scan.units.z_scale();
   if (arguments.z_scale || factor == 1) return "";
   std::array<char, 32> number;
   std::snprintf(number.data(), number.size(), "%.10g", factor);

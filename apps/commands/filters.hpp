@@ -9,7 +9,9 @@
 
 #include "json.hpp"
 #include "kappa/core/execution.hpp"
-#include "kappa/io/filter.hpp"
+#include "kappa/scan/filter.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/scan/units.hpp"
 
 namespace kappa::app {
 

@@ -5,6 +5,7 @@
 #include "checks.hpp"
 #include "command.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/analytic.hpp"
 #include "kappa/shapes/noise.hpp"
 #include "kappa/shapes/scanner.hpp"

@@ -4,10 +4,12 @@
 #include "command.hpp"
 #include "filters.hpp"
 #include "json.hpp"
-#include "kappa/io/las.hpp"
+#include "kappa/core/bounds.hpp"
+#include "kappa/io/las/file.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/mesh/topology.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "kappa/surface/surface.hpp"
 #include "progress.hpp"
 #include "summary.hpp"
@@ -37,7 +39,7 @@ Info gather(const std::string& input, const FilterArguments& filters) {
   check(filters);
   Info info;
   info.scan = read_scan(input);
-  info.units = length_units(info.scan);
+  info.units = info.scan.units;
   info.filtered = filter(info.scan, input, filters, {});
   const std::vector<Index> representative = find_duplicates(info.scan.points);
   for (Index i = 0; i < representative.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/scan/scan.hpp"
 #include "pipeline.hpp"
 
 namespace kappa::app {

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "kappa/core/error.hpp"
-#include "kappa/io/las.hpp"
+#include "kappa/curvature/refine.hpp"
+#include "kappa/io/las/file.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
-#include "kappa/mesh/refine.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/scan/units.hpp"
 #include "kappa/search/flann_ball_sum.hpp"
 
 namespace kappa::app {
@@ -245,7 +247,9 @@ Scan output_scan(const SurfaceResult& result, const std::vector<Index>& places, 
   out.width = in.width;
   out.height = in.height;
   out.viewpoint = in.viewpoint;
-  out.las = in.las;
+  out.units = in.units;
+  out.geographic = in.geographic;
+  out.records = in.records;
   constexpr std::size_t kBlock = 4096;
   parallel_for(out.normals.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t i = begin; i < end; ++i) {

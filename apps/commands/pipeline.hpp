@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "filters.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 #include "point_order.hpp"
 #include "progress.hpp"
 #include "surface_options.hpp"

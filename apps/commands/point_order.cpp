@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "kappa/mesh/gather.hpp"
+#include "kappa/core/gather.hpp"
+#include "kappa/core/spatial_order.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::app {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kappa/scan/scan.hpp"
 #include "kappa/surface/surface.hpp"
 
 namespace kappa::app {

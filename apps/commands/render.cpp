@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/read.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/figure.hpp"
 #include "surface_options.hpp"
 #include "up_axis.hpp"

@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/segment/regions.hpp"
 #include "pipeline.hpp"
 #include "summary.hpp"

@@ -6,7 +6,8 @@
 #include <cstdio>
 
 #include "json.hpp"
-#include "kappa/mesh/refine.hpp"
+#include "kappa/core/percentiles.hpp"
+#include "kappa/curvature/refine.hpp"
 
 namespace kappa::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kappa/mesh/orders.hpp"
-#include "kappa/mesh/refine.hpp"
+#include "kappa/core/orders.hpp"
+#include "kappa/curvature/refine.hpp"
 #include "kappa/pcl/greedy.hpp"
 
 namespace kappa::app {

@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "kappa/mesh/estimate.hpp"
-#include "kappa/mesh/measure_tree.hpp"
+#include "kappa/balls/measure_tree.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/surface/surface.hpp"
 
 namespace kappa::app {

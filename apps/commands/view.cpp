@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "command.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/segment/regions.hpp"
 #include "kappa/view/viewer.hpp"
 #include "pipeline.hpp"

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "file_bytes.hpp"
+#include "kappa/scan/scan.hpp"
 #include "text.hpp"
 
 namespace kappa::io {

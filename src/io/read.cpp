@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "columns.hpp"
+#include "io/las/parse.hpp"
 #include "kappa/core/error.hpp"
-#include "las_parse.hpp"
+#include "kappa/scan/scan.hpp"
 #include "readers.hpp"
 
 namespace kappa {

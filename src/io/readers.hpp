@@ -3,6 +3,7 @@
 
 #include "file_bytes.hpp"
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 
 /// One reader a format. Each returns points relative to 0 and throws Error FileFormat for anything
 /// it cannot read exactly; `finish` is left to the caller.

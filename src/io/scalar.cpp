@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 

@@ -12,6 +12,7 @@
 
 #include "file_bytes.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "scalar.hpp"
 #include "writers.hpp"
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <mutex>
 
+#include "kappa/scan/scan.hpp"
 #include "scalar.hpp"
 #include "writers.hpp"
 

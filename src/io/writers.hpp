@@ -6,6 +6,7 @@
 
 #include "kappa/core/execution.hpp"
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 
 /// One writer a format. The scan has been checked; the caller checks the stream.
 namespace kappa::io {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/core/percentiles.hpp"
 
 namespace kappa {
 namespace {
@@ -43,53 +43,6 @@ void Faces::reserve(std::size_t faces, std::size_t corners) {
 void Faces::clear() {
   corners_.clear();
   offsets_.assign(1, 0);
-}
-
-const Field* Scan::field(const std::string& name) const {
-  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
-  return found == fields.end() ? nullptr : &*found;
-}
-
-Bounds bounds(const std::vector<Vec3>& points) {
-  Bounds b;
-  for (const Vec3& p : points) {
-    if (!is_finite(p)) continue;
-    b.min = b.min.cwiseMin(p);
-    b.max = b.max.cwiseMax(p);
-  }
-  return b;
-}
-
-Vec3 choose_origin(const Bounds& bounds) {
-  Vec3 origin = Vec3::Zero();
-  if (bounds.empty()) return origin;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double extent = bounds.max[axis] - bounds.min[axis];
-    const double centre = bounds.min[axis] + 0.5 * extent;
-    // Closer to 0 a local origin gains nothing. Beyond, every coordinate lies within a factor 2 of the origin, so
-    // that the difference is exact (Sterbenz) and so is adding the origin back.
-    if (std::abs(centre) <= 4 * extent) continue;
-    const double unit = std::exp2(std::floor(std::log2(std::max(extent, std::abs(centre) * 0x1p-40))));
-    const double rounded = std::round(centre / unit) * unit;
-    origin[axis] = std::abs(rounded - centre) <= 0.25 * std::abs(centre) ? rounded : centre;
-  }
-  return origin;
-}
-
-void move_to_local_origin(Scan& scan) {
-  const Vec3 shift = choose_origin(bounds(scan.points));
-  if (shift.isZero(0)) return;
-  for (Vec3& p : scan.points) p -= shift;
-  scan.origin += shift;
-}
-
-Mesh mesh_of(const Scan& scan) {
-  if (!scan.is_mesh()) throw Error(ErrorCode::InvalidData, "the data has no faces; triangulate the points first");
-  Mesh mesh;
-  mesh.origin = scan.origin;
-  mesh.vertices = scan.points;
-  mesh.faces = scan.faces;
-  return mesh;
 }
 
 void validate(const Mesh& mesh) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "kappa/mesh/measure_tree.hpp"
+#include "kappa/balls/measure_tree.hpp"
 
 namespace kappa::detail {
 

@@ -12,7 +12,7 @@
 #include <pcl/surface/impl/gp3.hpp>  // instantiated here: see ground.cpp
 
 #include "kappa/core/error.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "kappa/search/neighbours.hpp"
 
 namespace kappa {

@@ -5,7 +5,7 @@
 
 #include "kappa/core/execution.hpp"
 #include "kappa/core/types.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/fitted_normals.hpp"
 
 namespace kappa {
 

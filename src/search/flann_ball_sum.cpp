@@ -5,7 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "../mesh/ball_workspace.hpp"
+#include "balls/ball_workspace.hpp"
+#include "kappa/core/spatial_order.hpp"
 #include "kd_tree.hpp"
 
 namespace kappa {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kappa/mesh/ball_sum.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/balls/ball_sum.hpp"
+#include "kappa/core/percentiles.hpp"
+#include "kappa/core/spatial_order.hpp"
 #include "kd_tree.hpp"
 
 namespace kappa {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "kappa/core/types.hpp"
-#include "kernels/views.hpp"
+#include "search/kernels/views.hpp"
 
 namespace kappa {
 

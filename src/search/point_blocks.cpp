@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "../core/large_array.hpp"
+#include "core/large_array.hpp"
+#include "kappa/core/bounds.hpp"
 
 namespace kappa {
 namespace {

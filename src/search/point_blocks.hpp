@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kappa/mesh/mesh.hpp"
-#include "kernels/views.hpp"
+#include "search/kernels/views.hpp"
 
 namespace kappa {
 

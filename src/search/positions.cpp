@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include "kappa/mesh/ball_sum.hpp"
-#include "kappa/mesh/gather.hpp"
+#include "kappa/balls/ball_sum.hpp"
+#include "kappa/core/gather.hpp"
+#include "kappa/core/spatial_order.hpp"
 
 namespace kappa {
 namespace {

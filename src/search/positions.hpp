@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "point_blocks.hpp"
 
 namespace kappa {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/core/percentiles.hpp"
 #include "plane_fit.hpp"
 #include "quadric_fit.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "positions.hpp"
 
 namespace kappa {

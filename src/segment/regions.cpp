@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/core/percentiles.hpp"
 
 namespace kappa {
 namespace {

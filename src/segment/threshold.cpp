@@ -4,7 +4,7 @@
 #include <string>
 
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/core/percentiles.hpp"
 #include "kappa/segment/regions.hpp"
 
 namespace kappa {

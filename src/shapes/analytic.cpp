@@ -3,6 +3,7 @@
 
 #include "check.hpp"
 #include "grid.hpp"
+#include "kappa/scan/scan.hpp"
 #include "patches.hpp"
 
 namespace kappa {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/implicit.hpp"
 
 namespace kappa {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "check.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/analytic.hpp"
 #include "patches.hpp"
 

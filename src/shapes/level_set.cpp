@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "check.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/implicit.hpp"
 #include "level_set_grid.hpp"
 

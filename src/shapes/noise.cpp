@@ -3,6 +3,7 @@
 
 #include "check.hpp"
 #include "kappa/mesh/topology.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/random.hpp"
 
 namespace kappa {

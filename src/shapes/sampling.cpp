@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "check.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/implicit.hpp"
 #include "kappa/shapes/random.hpp"
 #include "patches.hpp"

@@ -7,6 +7,7 @@
 
 #include "check.hpp"
 #include "house.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/random.hpp"
 #include "root.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

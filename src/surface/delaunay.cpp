@@ -10,6 +10,7 @@
 #include <boost/polygon/voronoi.hpp>
 
 #include "cell_grid.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 
 namespace kappa {

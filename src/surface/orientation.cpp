@@ -6,9 +6,10 @@
 #include <numeric>
 #include <tuple>
 
-#include "distinct_points.hpp"
-#include "kappa/mesh/ball_sum.hpp"
+#include "kappa/balls/ball_sum.hpp"
+#include "kappa/core/spatial_order.hpp"
 #include "kappa/search/neighbours.hpp"
+#include "search/distinct_points.hpp"
 
 namespace kappa {
 namespace {

@@ -8,10 +8,11 @@
 
 #include <Eigen/Geometry>
 
-#include "distinct_points.hpp"
 #include "hash_random.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/core/spatial_order.hpp"
 #include "kappa/search/neighbours.hpp"
+#include "search/distinct_points.hpp"
 
 namespace kappa {
 namespace {

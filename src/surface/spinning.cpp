@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cell_grid.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 
 namespace kappa {

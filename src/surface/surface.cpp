@@ -8,7 +8,8 @@
 #include <limits>
 
 #include "kappa/core/error.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "kappa/search/neighbours.hpp"
 #include "on_positions.hpp"
 #include "surface_choice.hpp"

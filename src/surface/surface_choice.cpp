@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kappa/scan/scan.hpp"
 #include "kappa/surface/surface.hpp"
 
 namespace kappa {

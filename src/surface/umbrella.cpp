@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "../core/large_array.hpp"
+#include "core/large_array.hpp"
 #include "delaunay_star.hpp"
 #include "kappa/core/curvatures.hpp"
 #include "kappa/core/error.hpp"

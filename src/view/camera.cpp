@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include "kappa/core/bounds.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "kappa/core/error.hpp"
+#include "kappa/core/percentiles.hpp"
 #include "kappa/core/types.hpp"
 
 namespace kappa {

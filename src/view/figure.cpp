@@ -10,7 +10,9 @@
 #include <functional>
 
 #include "camera.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/display.hpp"
 #include "picture.hpp"
 #include "scene.hpp"

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "kappa/scan/scan.hpp"
 #include "shape.hpp"
 
 namespace kappa::view_detail {

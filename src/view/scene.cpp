@@ -11,6 +11,8 @@
 #include <cmath>
 
 #include "discs.hpp"
+#include "kappa/core/bounds.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::view_detail {
 namespace {

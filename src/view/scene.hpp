@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "camera.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/figure.hpp"
 #include "legend.hpp"
 #include "shape.hpp"

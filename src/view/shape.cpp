@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "discs.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::view_detail {
 namespace {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/display.hpp"
 #include "viewer_state.hpp"
 

@@ -10,7 +10,9 @@
 #include <thread>
 #include <utility>
 
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "picture.hpp"
 #include "viewer_text.hpp"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "computation.hpp"
+#include "kappa/scan/scan.hpp"
 #include "viewer_window.hpp"
 
 namespace kappa {

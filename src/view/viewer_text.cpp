@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include "kappa/core/bounds.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::view_detail {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/viewer.hpp"
 
 namespace kappa::view_detail {

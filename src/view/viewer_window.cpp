@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "kappa/scan/scan.hpp"
 #include "picture.hpp"
 #include "viewer_text.hpp"
 

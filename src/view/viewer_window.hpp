@@ -17,6 +17,7 @@
 #include <functional>
 #include <string>
 
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/viewer.hpp"
 #include "scene.hpp"
 

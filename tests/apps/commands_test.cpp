@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "kappa/core/spatial_order.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/scan/compare.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/surface/surface.hpp"
 #include "program.hpp"
 

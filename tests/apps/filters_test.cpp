@@ -6,10 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "kappa/io/filter.hpp"
-#include "kappa/io/las.hpp"
+#include "kappa/io/las/file.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/scan/filter.hpp"
+#include "kappa/scan/scan.hpp"
 #include "program.hpp"
 
 namespace kappa::apps {
@@ -63,8 +64,8 @@ TEST(Filters, OnlyTheRowsAskedForLeave) {
                        p.x() <= 400030 && p.y() <= 5400030;
     if (!stays) continue;
     ASSERT_LT(row, out.points.size());
-    const std::size_t a = all.las->record_length, b = out.las->record_length;
-    EXPECT_EQ(out.las->points.substr(row * b, a), all.las->points.substr(i * a, a)) << i;
+    const std::size_t a = las_of(all)->record_length, b = las_of(out)->record_length;
+    EXPECT_EQ(las_of(out)->points.substr(row * b, a), las_of(all)->points.substr(i * a, a)) << i;
     ++row;
   }
   EXPECT_EQ(row, out.points.size());
@@ -179,9 +180,9 @@ TEST(Filters, WithheldPointsKeepTheirRowsUnmeasured) {
   EXPECT_NE(done.out.find("80 points are flagged as withheld and not measured"), std::string::npos) << done.out;
   const Scan after = read_scan(f.file("out.las"));
   ASSERT_EQ(after.points.size(), before.points.size());
-  const std::size_t a = before.las->record_length, b = after.las->record_length;
+  const std::size_t a = las_of(before)->record_length, b = las_of(after)->record_length;
   for (std::size_t i = 0; i < before.points.size(); ++i) {
-    ASSERT_EQ(after.las->points.substr(i * b, a), before.las->points.substr(i * a, a)) << i;
+    ASSERT_EQ(las_of(after)->points.substr(i * b, a), las_of(before)->points.substr(i * a, a)) << i;
     const bool withheld = i % 50 == 0;
     EXPECT_EQ(after.field("status")->values[i], withheld ? 3 : 0) << i;
     EXPECT_EQ(std::isnan(after.field("mean_curvature")->values[i]), withheld) << i;

@@ -7,6 +7,7 @@
 
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/scan/scan.hpp"
 #include "program.hpp"
 
 namespace kappa::apps {

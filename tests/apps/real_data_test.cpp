@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kappa/io/read.hpp"
+#include "kappa/scan/scan.hpp"
 #include "program.hpp"
 
 namespace kappa::apps {

@@ -5,7 +5,8 @@
 
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
-#include "kappa/mesh/statistics.hpp"
+#include "kappa/scan/compare.hpp"
+#include "kappa/scan/scan.hpp"
 #include "program.hpp"
 
 namespace kappa::apps {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/triangle_ball_cases.hpp"
+#include "triangle_ball_cases.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/triangle_ball_cases.hpp"
 #include "kappa/core/triangle_ball.hpp"
 #include "support/oracles.hpp"
+#include "triangle_ball_cases.hpp"
 
 namespace kappa {
 namespace {

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "core/triangle_ball_cases.hpp"
 #include "kappa/core/execution.hpp"
 #include "support/oracles.hpp"
+#include "triangle_ball_cases.hpp"
 
 namespace kappa {
 namespace {

@@ -5,11 +5,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "columns.hpp"
+#include "io/columns.hpp"
+#include "io/readers.hpp"
+#include "io/writers.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/io/las.hpp"
-#include "readers.hpp"
-#include "writers.hpp"
+#include "kappa/io/las/file.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/scan/units.hpp"
 
 namespace kappa::fuzz {
 
@@ -64,10 +66,10 @@ std::shared_ptr<Scan> again(const Scan& scan) {
 void check_copy(const Scan& scan) {
   const auto copy = again(scan);
   if (!copy) return;
-  require(same_points(*scan.las, *copy->las), "points differ");
-  require(scan.las->record_length == copy->las->record_length, "points have grown");
-  require(equal(scan.las->records, copy->las->records), "records differ");
-  require(equal(scan.las->extended, copy->las->extended), "extended records differ");
+  require(same_points(*las_of(scan), *las_of(*copy)), "points differ");
+  require(las_of(scan)->record_length == las_of(*copy)->record_length, "points have grown");
+  require(equal(las_of(scan)->records, las_of(*copy)->records), "records differ");
+  require(equal(las_of(scan)->extended, las_of(*copy)->extended), "extended records differ");
   require(scan.points == copy->points, "coordinates differ");
   require(scan.fields.size() == copy->fields.size(), "fields differ");
 }
@@ -79,7 +81,7 @@ void check_with_field(Scan scan) {
   scan.fields.push_back(probe);
   const auto copy = again(scan);
   if (!copy) return;
-  require(same_points(*scan.las, *copy->las), "points differ under a new field");
+  require(same_points(*las_of(scan), *las_of(*copy)), "points differ under a new field");
   require(copy->field(kProbe) && copy->field(kProbe)->values == probe.values, "the new field differs");
 }
 
@@ -93,7 +95,7 @@ bool check_las(const std::string& bytes) {
     return false;
   }
   looks_geographic(scan);
-  length_units(scan);
+  scan.units.z_scale();
   check_copy(scan);
   check_with_field(std::move(scan));
   return true;

@@ -5,11 +5,12 @@
 #include <iostream>
 #include <sstream>
 
-#include "../io/las_files.hpp"
-#include "columns.hpp"
+#include "io/columns.hpp"
+#include "io/las_files.hpp"
+#include "io/readers.hpp"
+#include "io/writers.hpp"
 #include "kappa/core/error.hpp"
-#include "readers.hpp"
-#include "writers.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace {
 

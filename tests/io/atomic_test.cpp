@@ -4,7 +4,8 @@
 
 #include <csignal>
 
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

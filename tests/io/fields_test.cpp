@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fields of the output and the table of regions.
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

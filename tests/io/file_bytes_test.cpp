@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files in memory maps.
-#include "file_bytes.hpp"
+#include "io/file_bytes.hpp"
 
-#include "io/support.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

@@ -3,9 +3,12 @@
 // the local origin, degrees.
 #include <set>
 
-#include "io/las_files.hpp"
-#include "io/support.hpp"
-#include "kappa/io/las.hpp"
+#include "kappa/core/bounds.hpp"
+#include "kappa/io/las/file.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/scan/units.hpp"
+#include "las_files.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {
@@ -141,7 +144,8 @@ TEST_F(RealLas, DegreesAreSeen) {
     EXPECT_EQ(looks_geographic(read(expected.path)), degrees) << expected.path;
   }
   Scan bare = read("airborne-las/epsg_4326.las");
-  bare.las = nullptr;
+  bare.records = nullptr;
+  bare.geographic.reset();
   EXPECT_TRUE(looks_geographic(bare)) << "by the extents alone";
 }
 
@@ -223,10 +227,10 @@ TEST(LasFormats, EveryVersionAndFormatIsReadByTheTables) {
       expect_optional_parts(scan, i, record, spec.format);
       expect_value(scan, "height", i, static_cast<double>(test::number_at<float>(record, size)));
     }
-    ASSERT_EQ(scan.las->records.size(), 2u);
-    EXPECT_EQ(scan.las->records[1].data, "abc");
-    EXPECT_EQ(scan.las->extended.size(), spec.extended.size());
-    EXPECT_EQ(scan.las->waveform.has_value(), spec.waveform);
+    ASSERT_EQ(las_of(scan)->records.size(), 2u);
+    EXPECT_EQ(las_of(scan)->records[1].data, "abc");
+    EXPECT_EQ(las_of(scan)->extended.size(), spec.extended.size());
+    EXPECT_EQ(las_of(scan)->waveform.has_value(), spec.waveform);
   }
 }
 

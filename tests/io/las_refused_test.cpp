@@ -2,8 +2,9 @@
 // Damaged LAS files: refused with the entry at fault, whatever they promise.
 #include <random>
 
-#include "io/las_files.hpp"
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "las_files.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

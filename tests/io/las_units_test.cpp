@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Units of length in the coordinate system of a LAS file.
-#include "io/las_files.hpp"
-#include "io/support.hpp"
-#include "kappa/io/las.hpp"
+#include "kappa/io/las/file.hpp"
+#include "kappa/scan/scan.hpp"
+#include "las_files.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {
@@ -12,7 +13,7 @@ constexpr double kSurveyFoot = 12 / 39.37;
 LengthUnits units_of(const std::vector<std::string>& records) {
   test::LasSpec spec;
   spec.records = records;
-  return length_units(test::scan_of("a.las", test::las_file(spec)));
+  return test::scan_of("a.las", test::las_file(spec)).units;
 }
 
 LengthUnits units_of_wkt(const std::string& text) {
@@ -86,17 +87,17 @@ TEST(LasUnits, TextThatIsNoneIsNoUnit) {
     EXPECT_FALSE(units.horizontal || units.vertical);
   }
   EXPECT_FALSE(units_of({}).horizontal);
-  EXPECT_EQ(length_units(Scan()).z_scale(), 1);
+  EXPECT_EQ(Scan().units.z_scale(), 1);
 }
 
 TEST(LasUnits, OfRealFiles) {
   const std::string folder = std::string(KAPPA_SHARED_DATA) + "/lidar/airborne-las/";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared data";
-  const LengthUnits mixed = length_units(read_scan(folder + "autzen-bmx-2010.las"));
+  const LengthUnits mixed = read_scan(folder + "autzen-bmx-2010.las").units;
   EXPECT_EQ(mixed.horizontal, 1.0);
   EXPECT_NEAR(*mixed.vertical, kSurveyFoot, 1e-12);
-  EXPECT_EQ(length_units(read_scan(folder + "hexbin-crop.las")).horizontal, 1.0);
-  EXPECT_EQ(length_units(read_scan(folder + "autzen_trim.las")).horizontal, 0.3048);
+  EXPECT_EQ(read_scan(folder + "hexbin-crop.las").units.horizontal, 1.0);
+  EXPECT_EQ(read_scan(folder + "autzen_trim.las").units.horizontal, 0.3048);
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <map>
 #include <numeric>
 
-#include "io/las_files.hpp"
-#include "io/support.hpp"
-#include "kappa/io/las.hpp"
+#include "kappa/core/bounds.hpp"
+#include "kappa/io/las/file.hpp"
+#include "kappa/scan/scan.hpp"
+#include "las_files.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {
@@ -69,12 +71,12 @@ void expect_round_trip(const std::string& bytes) {
   const std::string out = written(before);
   const Scan after = scan_of("a.las", out);
   EXPECT_EQ(test::number_at<std::uint16_t>(out, 24), 0x0401) << "version 1.4";
-  EXPECT_EQ(before.las->points, after.las->points);
-  expect_same_records(before.las->records, after.las->records);
-  expect_same_records(before.las->extended, after.las->extended);
-  EXPECT_EQ(before.las->waveform, after.las->waveform);
-  EXPECT_EQ(before.las->gap, after.las->gap);
-  EXPECT_EQ(before.las->format, after.las->format);
+  EXPECT_EQ(las_of(before)->points, las_of(after)->points);
+  expect_same_records(las_of(before)->records, las_of(after)->records);
+  expect_same_records(las_of(before)->extended, las_of(after)->extended);
+  EXPECT_EQ(las_of(before)->waveform, las_of(after)->waveform);
+  EXPECT_EQ(las_of(before)->gap, las_of(after)->gap);
+  EXPECT_EQ(las_of(before)->format, las_of(after)->format);
   expect_same_identity(bytes, out);
   EXPECT_EQ(before.origin, after.origin);
   EXPECT_EQ(before.points, after.points);
@@ -181,7 +183,7 @@ TEST(LasCurvatures, AreNamedExtraBytesBehindAllThatCameIn) {
     SCOPED_TRACE("LAS 1." + std::to_string(spec.minor) + " format " + std::to_string(spec.format));
     const Scan in = scan_of("a.las", test::las_file(spec)), out = measured(in);
     const Scan again = scan_of("a.las", written(out));
-    expect_same_points(*in.las, *again.las);
+    expect_same_points(*las_of(in), *las_of(again));
     ASSERT_EQ(again.normals.size(), out.normals.size());
     EXPECT_TRUE(again.normals[0].hasNaN());
     EXPECT_EQ(again.normals[1], out.normals[1]);
@@ -217,7 +219,7 @@ TEST(LasCurvatures, OfASecondRunTakeThePlaceOfTheFirst) {
                                  [](const Field& f) { return f.name == "mean_curvature"; });
   std::iota(mean->values.begin(), mean->values.end(), 0.5);
   const Scan again = scan_of("a.las", written(second));
-  EXPECT_EQ(again.las->record_length, first.las->record_length);
+  EXPECT_EQ(las_of(again)->record_length, las_of(first)->record_length);
   EXPECT_EQ(again.field("mean_curvature")->values, mean->values);
   expect_same_fields(second, again);
 }
@@ -265,8 +267,8 @@ TEST(LasFromOtherScans, KeepsThePrecisionThatIsPromised) {
       ASSERT_LE(std::abs(error[axis]), 2.5e-9 * (box.max - box.min)[axis] + 1e-9) << i;
     }
   }
-  EXPECT_EQ(again.las->scale.x(), 1e-3) << "as all x are whole millimetres";
-  EXPECT_LT(again.las->scale.y(), 1e-6);
+  EXPECT_EQ(las_of(again)->scale.x(), 1e-3) << "as all x are whole millimetres";
+  EXPECT_LT(las_of(again)->scale.y(), 1e-6);
   EXPECT_EQ(again.normals, scan.normals);
   EXPECT_EQ(again.field("return_number")->values, std::vector<double>(200, 1));
 }
@@ -280,7 +282,7 @@ TEST(LasFromOtherScans, AttributesOfLasTakeTheirPlaces) {
   const std::string out = written(scan);
   EXPECT_EQ(out[104], 8);
   const Scan again = scan_of("a.las", out);
-  EXPECT_EQ(again.las->record_length, 38u + 4 + 24) << "intensity, a float, and the normals are extra bytes";
+  EXPECT_EQ(las_of(again)->record_length, 38u + 4 + 24) << "intensity, a float, and the normals are extra bytes";
   for (const Field& field : scan.fields) {
     ASSERT_NE(again.field(field.name), nullptr) << field.name;
     EXPECT_EQ(again.field(field.name)->values, field.values) << field.name;
@@ -328,8 +330,8 @@ TEST(KeepPoints, TakesRecordsFieldsAndNormalsAlong) {
   keep_points(some, {4, 1});
   const Scan again = scan_of("a.las", written(some));
   ASSERT_EQ(again.points.size(), 2u);
-  EXPECT_EQ(again.las->points.substr(0, 20), all.las->points.substr(80, 20));
-  EXPECT_EQ(again.las->points.substr(again.las->record_length, 20), all.las->points.substr(20, 20));
+  EXPECT_EQ(las_of(again)->points.substr(0, 20), las_of(all)->points.substr(80, 20));
+  EXPECT_EQ(las_of(again)->points.substr(las_of(again)->record_length, 20), las_of(all)->points.substr(20, 20));
   EXPECT_EQ(test::position(again, 1), test::position(all, 1));
   EXPECT_EQ(again.field("intensity")->values[0], all.field("intensity")->values[4]);
   EXPECT_EQ(again.normals, some.normals);
@@ -342,7 +344,7 @@ TEST(KeepPoints, RefusesWhatItCannotDo) {
   for (Field& field : scan.fields) field.values.pop_back();
   test::expect_error([&] { keep_points(scan, {0}); }, ErrorCode::InvalidArgument, "4 points and 5 records");
   test::expect_error([&] { written(scan); }, ErrorCode::InvalidArgument, "4 points and 5 records");
-  scan.las = nullptr;
+  scan.records = nullptr;
   scan.faces.add(0, 1, 2);
   test::expect_error([&] { keep_points(scan, {0}); }, ErrorCode::InvalidArgument, "points of a mesh");
 }

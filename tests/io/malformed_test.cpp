@@ -2,7 +2,8 @@
 // Every file of the folder of broken and unusual files, with its verdict.
 #include <map>
 
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

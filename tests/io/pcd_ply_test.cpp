@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PCD and PLY, given as text or bytes.
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

@@ -7,7 +7,8 @@
 
 #include <random>
 
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

@@ -4,7 +4,9 @@
 #include <map>
 #include <set>
 
-#include "io/support.hpp"
+#include "kappa/core/bounds.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

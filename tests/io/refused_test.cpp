@@ -2,7 +2,8 @@
 // Malformed files of every format: refused with what is wrong, whatever they promise.
 #include <random>
 
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

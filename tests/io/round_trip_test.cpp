@@ -2,7 +2,8 @@
 // What is written comes back bit by bit.
 #include <random>
 
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

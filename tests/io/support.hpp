@@ -13,6 +13,7 @@
 #include "kappa/core/error.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::test {
 

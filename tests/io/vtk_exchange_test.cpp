@@ -11,7 +11,8 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "io/support.hpp"
+#include "kappa/scan/scan.hpp"
+#include "support.hpp"
 
 namespace kappa {
 namespace {

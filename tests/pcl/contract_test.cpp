@@ -9,9 +9,9 @@
 #include <atomic>
 #include <limits>
 
+#include "clouds.hpp"
 #include "kappa/pcl/corrected_curvature_estimation.hpp"
 #include "kappa/pcl/impl/corrected_curvature_estimation.hpp"
-#include "pcl/clouds.hpp"
 
 namespace kappa::test {
 namespace {

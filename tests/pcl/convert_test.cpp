@@ -6,8 +6,9 @@
 
 #include <string>
 
+#include "clouds.hpp"
 #include "kappa/core/error.hpp"
-#include "pcl/clouds.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::test {
 namespace {

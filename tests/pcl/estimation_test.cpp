@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kappa/mesh/measure_tree.hpp"
+#include "clouds.hpp"
+#include "kappa/balls/measure_tree.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/pcl/convert.hpp"
 #include "kappa/pcl/corrected_curvature_estimation.hpp"
-#include "pcl/clouds.hpp"
 
 namespace kappa::test {
 namespace {

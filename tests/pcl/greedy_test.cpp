@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/surface/surface.hpp"
 
 namespace kappa::test {

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "support/ball_sums.hpp"
 #include "support/shapes.hpp"

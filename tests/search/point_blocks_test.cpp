@@ -7,8 +7,9 @@
 #include <array>
 #include <random>
 
-#include "kappa/mesh/ball_sum.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/balls/ball_sum.hpp"
+#include "kappa/core/spatial_order.hpp"
+#include "kappa/search/fitted_normals.hpp"
 
 namespace kappa {
 namespace {

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 
 /// Checks that know nothing of how the shapes are made.
 namespace kappa::test {

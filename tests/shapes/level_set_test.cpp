@@ -4,6 +4,7 @@
 
 #include "checks.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/implicit.hpp"
 
 namespace kappa {

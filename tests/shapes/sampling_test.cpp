@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/implicit.hpp"
 
 namespace kappa {

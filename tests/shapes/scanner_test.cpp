@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kappa/shapes/scanner.hpp"
+#include "kappa/scan/scan.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/ball_sums.hpp"
+#include "ball_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "kappa/mesh/ball_sum.hpp"
+#include "kappa/balls/ball_sum.hpp"
 
 /// Ball sums as the tests of every engine compare them.
 namespace kappa::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/oracles.hpp"
+#include "oracles.hpp"
 
 #include <algorithm>
 #include <cmath>

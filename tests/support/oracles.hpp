@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "kappa/mesh/ball_sum.hpp"
+#include "kappa/balls/ball_sum.hpp"
 #include "kappa/mesh/mesh.hpp"
 
 /// Slow computations that share no formula with the library, for the tests to compare it with.

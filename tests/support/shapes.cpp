@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/shapes.hpp"
+#include "shapes.hpp"
 
 #include <array>
 #include <cmath>

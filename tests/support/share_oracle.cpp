@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "support/oracles.hpp"
+#include "oracles.hpp"
 
 namespace kappa::oracle {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "support/shapes.hpp"
+#include "shapes.hpp"
 
 namespace kappa::shapes {
 namespace {

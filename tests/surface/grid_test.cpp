@@ -8,7 +8,7 @@
 #include <set>
 
 #include "clouds.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 
 namespace kappa {
 namespace {

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "clouds.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/surface/surface.hpp"
 
 namespace kappa {

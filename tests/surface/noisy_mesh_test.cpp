@@ -3,7 +3,8 @@
 
 #include <cmath>
 
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/analytic.hpp"
 #include "kappa/shapes/noise.hpp"
 #include "kappa/surface/surface.hpp"

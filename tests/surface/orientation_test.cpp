@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "clouds.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "kappa/shapes/random.hpp"
 
 namespace kappa {

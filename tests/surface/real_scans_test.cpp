@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "kappa/io/read.hpp"
-#include "kappa/search/cloud_normals.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/search/fitted_normals.hpp"
 #include "kappa/surface/delaunay.hpp"
 #include "kappa/surface/grid.hpp"
 #include "kappa/surface/orientation.hpp"

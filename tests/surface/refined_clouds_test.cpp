@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "clouds.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/shapes/implicit.hpp"
 #include "kappa/surface/umbrella.hpp"
 

@@ -8,8 +8,9 @@
 #include <random>
 
 #include "io/support.hpp"
-#include "kappa/mesh/estimate.hpp"
-#include "kappa/mesh/measure_tree.hpp"
+#include "kappa/balls/measure_tree.hpp"
+#include "kappa/curvature/estimate.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/surface/surface.hpp"
 
 namespace kappa {

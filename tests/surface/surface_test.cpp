@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kappa/surface/surface.hpp"
+#include "kappa/scan/scan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "clouds.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/surface/spinning.hpp"
 
 namespace kappa {

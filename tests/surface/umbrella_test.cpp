@@ -12,7 +12,7 @@
 #include <random>
 
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
 
 namespace kappa {

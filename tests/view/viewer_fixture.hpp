@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/display.hpp"
 #include "kappa/view/viewer.hpp"
 #include "picture_reader.hpp"

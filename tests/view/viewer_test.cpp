@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

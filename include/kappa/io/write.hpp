@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "kappa/core/execution.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/segment/regions.hpp"
 
 namespace kappa {

@@ -8,9 +8,10 @@
 
 #include <vector>
 
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/mesh.hpp"
 #include "kappa/pcl/point_types.hpp"
+#include "kappa/scan/scan.hpp"
 
 // PCL's clouds and meshes to kappa's structs and back. PCL keeps float coordinates: a cloud in georeferenced
 // coordinates has lost digits before it comes here (0.5 m at a UTM northing), and loses them when it leaves with

@@ -8,8 +8,8 @@
 #include <atomic>
 #include <vector>
 
+#include "kappa/balls/ball_sum.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/mesh/ball_sum.hpp"
 #include "kappa/pcl/impl/curvature_job.hpp"
 #include "kappa/pcl/point_types.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kappa/mesh/ball_sum.hpp"
+#include "kappa/balls/ball_sum.hpp"
 
 namespace kappa {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "kappa/core/labels.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 
 namespace kappa {
 

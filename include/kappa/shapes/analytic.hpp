@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/truth.hpp"
 
 namespace kappa {

@@ -3,6 +3,8 @@
 
 #include <functional>
 
+#include "kappa/core/bounds.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/shapes/analytic.hpp"
 
 namespace kappa {

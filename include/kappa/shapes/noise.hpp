@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

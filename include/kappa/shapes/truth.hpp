@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

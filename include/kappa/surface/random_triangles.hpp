@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kappa/core/execution.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 
 namespace kappa {
 

@@ -5,9 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
-#include "kappa/surface/cloud_scale.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/search/noise.hpp"
 #include "kappa/surface/delaunay.hpp"
 #include "kappa/surface/grid.hpp"
 #include "kappa/surface/orientation.hpp"

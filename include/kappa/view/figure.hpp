@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/colour_map.hpp"
 
 namespace kappa {

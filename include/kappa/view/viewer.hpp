@@ -9,6 +9,7 @@
 
 #include "kappa/core/execution.hpp"
 #include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/figure.hpp"
 
 namespace kappa {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../mesh/kernels/lanes.hpp"
+#include "balls/kernels/lanes.hpp"
 #include "views.hpp"
 
 // Points in balls and sums over them. Included by kernel files alone.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kappa/pcl/convert.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

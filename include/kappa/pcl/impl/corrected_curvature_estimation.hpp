@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 
+#include "kappa/core/bounds.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/pcl/convert.hpp"
 #include "kappa/pcl/corrected_curvature_estimation.hpp"

@@ -6,7 +6,7 @@
 
 #include "kappa/core/error.hpp"
 #include "kappa/core/execution.hpp"
-#include "kappa/mesh/estimate.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/mesh.hpp"
 #include "kappa/surface/umbrella.hpp"
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/core/spatial_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "kappa/core/bounds.hpp"
+#include "parallel_bounds.hpp"
+
+namespace kappa {
+namespace {
+
+/// Spreads the low 21 bits of v to every third bit.
+std::uint64_t spread_bits(std::uint64_t v) {
+  v &= 0x1fffff;
+  v = (v | v << 32) & 0x1f00000000ffff;
+  v = (v | v << 16) & 0x1f0000ff0000ff;
+  v = (v | v << 8) & 0x100f00f00f00f00f;
+  v = (v | v << 4) & 0x10c30c30c30c30c3;
+  return (v | v << 2) & 0x1249249249249249;
+}
+
+std::uint64_t morton_code(const Vec3& p, const Bounds& b, double extent) {
+  constexpr double kCells = 2097151;  // 2^21 - 1
+  std::uint64_t code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cell = (p[axis] - b.min[axis]) / extent * kCells;
+    code |= spread_bits(static_cast<std::uint64_t>(cell)) << axis;
+  }
+  return code;
+}
+
+struct Keyed {
+  std::uint64_t key;
+  Index index;
+};
+
+/// Sorts by key and leaves the order of equal keys: digit by digit, the last first, but for digits that are the same in
+/// all keys.
+void sort_by_key(std::vector<Keyed>& keyed) {
+  constexpr int kBits = 11, kPasses = 6;  // of 64 bits
+  constexpr std::size_t kDigits = std::size_t{1} << kBits;
+  const auto less = [](const Keyed& a, const Keyed& b) { return a.key < b.key; };
+  if (std::is_sorted(keyed.begin(), keyed.end(), less)) return;
+  if (keyed.size() < kDigits) {
+    std::stable_sort(keyed.begin(), keyed.end(), less);
+    return;
+  }
+  const auto digit = [](const Keyed& entry, int pass) { return entry.key >> kBits * pass & (kDigits - 1); };
+  std::vector<std::array<Index, kDigits>> places(kPasses);  // of each digit, how many there are; then where they start
+  for (const Keyed& entry : keyed) {
+    for (int pass = 0; pass < kPasses; ++pass) ++places[static_cast<std::size_t>(pass)][digit(entry, pass)];
+  }
+  std::vector<Keyed> sorted(keyed.size());
+  for (int pass = 0; pass < kPasses; ++pass) {
+    auto& first = places[static_cast<std::size_t>(pass)];
+    if (first[digit(keyed[0], pass)] == keyed.size()) continue;
+    Index before = 0;
+    for (Index& place : first) before += std::exchange(place, before);
+    for (const Keyed& entry : keyed) sorted[first[digit(entry, pass)]++] = entry;
+    keyed.swap(sorted);
+  }
+}
+
+}  // namespace
+
+std::vector<Index> spatial_order(const std::vector<Vec3>& points, const Execution& run) {
+  constexpr std::size_t kBlock = 16384;
+  const Bounds b = parallel_bounds(points.size(), run, [&](std::size_t i, Bounds& part) {
+    if (!is_finite(points[i])) return;
+    part.min = part.min.cwiseMin(points[i]);
+    part.max = part.max.cwiseMax(points[i]);
+  });
+  const double extent = std::max((b.max - b.min).maxCoeff(), std::numeric_limits<double>::min());
+  std::vector<Keyed> keyed(points.size());
+  parallel_for(points.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool finite = is_finite(points[i]);
+      keyed[i] = {finite ? morton_code(points[i], b, extent) : ~std::uint64_t{0}, static_cast<Index>(i)};
+    }
+  });
+  sort_by_key(keyed);
+  std::vector<Index> order(points.size());
+  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& entry) { return entry.index; });
+  return order;
+}
+
+}  // namespace kappa

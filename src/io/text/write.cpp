@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <charconv>
+#include <cmath>
+
+#include "io/writers.hpp"
+#include "kappa/scan/scan.hpp"
+
+namespace kappa::io {
+
+std::string safe_name(const std::string& name) {
+  std::string safe = name;
+  for (char& c : safe) {
+    const bool separates = static_cast<unsigned char>(c) <= 0x20 || c == ',' || c == ';' || c == '"' || c == 0x7f;
+    if (separates) c = '_';
+  }
+  return safe;
+}
+
+void append_decimal(std::string& text, double value) {
+  if (std::isnan(value)) {
+    text += "nan";
+    return;
+  }
+  // Left to itself to_chars writes 5e+05 for 500000.
+  const double size = std::abs(value);
+  const bool plain = size == 0 || (size >= 1e-4 && size < 1e15);
+  char buffer[64];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value,
+                                          plain ? std::chars_format::fixed : std::chars_format::scientific);
+  text.append(buffer, end);
+}
+
+void write_csv(std::ostream& out, const Scan& scan, const Execution& run) {
+  std::string line = scan.normals.empty() ? "x,y,z" : "x,y,z,nx,ny,nz";
+  for (const Field& field : scan.fields) line += "," + safe_name(field.name);
+  out << line << '\n';
+  for_each_row(scan.points.size(), run, [&](std::size_t i) {
+    line.clear();
+    const auto add = [&](double value) {
+      append_decimal(line, value);
+      line += ',';
+    };
+    for (int axis = 0; axis < 3; ++axis) add(coordinate(scan, i, axis));
+    for (int axis = 0; axis < 3 && !scan.normals.empty(); ++axis) add(scan.normals[i][axis]);
+    for (const Field& field : scan.fields) add(field.values[i]);
+    line.back() = '\n';
+    out.write(line.data(), static_cast<std::streamsize>(line.size()));
+  });
+}
+
+}  // namespace kappa::io

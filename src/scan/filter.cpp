@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/scan/filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "kappa/core/bounds.hpp"
+#include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
+
+namespace kappa {
+
+namespace {
+
+/// A name without what files write differently: ReturnNumber, return_number.
+std::string plain(const std::string& name) {
+  std::string letters;
+  for (const char c : name) {
+    if (c != '_' && c != ' ') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return letters;
+}
+
+const Field* find_field(const Scan& scan, const std::vector<std::string>& plain_names) {
+  for (const std::string& name : plain_names) {
+    for (const Field& field : scan.fields) {
+      if (plain(field.name) == name) return &field;
+    }
+  }
+  return nullptr;
+}
+
+std::string names_of(const std::vector<Field>& fields) {
+  std::string names;
+  for (const Field& field : fields) names += (names.empty() ? "" : " ") + field.name;
+  return names.empty() ? "none" : names;
+}
+
+const Field& need_field(const Scan& scan, const std::vector<std::string>& plain_names, const std::string& what,
+                        const std::string& path) {
+  if (const Field* field = find_field(scan, plain_names)) return *field;
+  throw Error(ErrorCode::InvalidData, "'" + path + "': its points have no " + what + " to be selected by (fields: " +
+                                          names_of(scan.fields) + "); leave the filter out");
+}
+
+/// "2 (35123 points), 1 (3244 points)".
+std::string classes_in(const Field& field) {
+  constexpr std::size_t kShown = 12;
+  std::map<double, std::size_t> counts;
+  for (const double value : field.values) ++counts[value];
+  std::string text;
+  std::size_t shown = 0;
+  for (const auto& [value, count] : counts) {
+    if (++shown > kShown) return text + ", ...";
+    text += (text.empty() ? "" : ", ") + std::to_string(static_cast<long>(value)) + " (" + std::to_string(count) +
+            " points)";
+  }
+  return text;
+}
+
+/// One selection under way.
+class Selection {
+ public:
+  Selection(const Scan& scan, const PointFilter& filter, const std::string& path)
+      : scan_(scan), filter_(filter), path_(path), kept_(scan.points.size(), 1) {}
+
+  FilterCounts run() {
+    // In a grid they stay, and are counted by those who measure.
+    const std::size_t unplaced = drop([&](std::size_t i) { return is_finite(scan_.points[i]); }, "");
+    if (!scan_.is_organised()) counts_.unplaced = unplaced;
+    if (!filter_.classes.empty()) by_class();
+    if (filter_.returns != Returns::All) by_returns();
+    if (filter_.bounds) by_bounds();
+    return counts_;
+  }
+
+  const std::vector<char>& kept() const { return kept_; }
+
+ private:
+  /// Takes away every point that `stays` refuses; none may be all, for which `hint` gives the remedy.
+  template <class Stays>
+  std::size_t drop(Stays&& stays, const std::string& hint) {
+    std::size_t dropped = 0, left = 0;
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (!kept_[i]) continue;
+      const bool goes = !stays(i);
+      dropped += goes;
+      left += !goes;
+      if (goes) kept_[i] = 0;
+    }
+    if (left == 0) throw Error(ErrorCode::InvalidData, "'" + path_ + "': no point is left" + hint);
+    return dropped;
+  }
+
+  void by_class() {
+    const Field& field = need_field(scan_, {"classification", "class"}, "classification", path_);
+    const std::vector<int>& classes = filter_.classes;
+    counts_.by_class = drop(
+        [&](std::size_t i) {
+          return std::any_of(classes.begin(), classes.end(), [&](int c) { return field.values[i] == c; });
+        },
+        " by the selection of classes: it has " + classes_in(field));
+  }
+
+  void by_returns() {
+    const Field& number = need_field(scan_, {"returnnumber"}, "return number", path_);
+    const auto is_unset = [](double value) { return value == 0; };
+    if (std::all_of(number.values.begin(), number.values.end(), is_unset)) {
+      throw Error(ErrorCode::InvalidData,
+                  "'" + path_ + "': its return numbers are all 0, so they were not recorded: select all returns");
+    }
+    if (filter_.returns == Returns::First) {
+      counts_.by_returns = drop([&](std::size_t i) { return number.values[i] == 1; }, ": it has no first return");
+      return;
+    }
+    const Field& of = need_field(scan_, {"numberofreturns"}, "number of returns", path_);
+    counts_.by_returns =
+        drop([&](std::size_t i) { return number.values[i] == of.values[i]; }, ": it has no last return");
+  }
+
+  void by_bounds() {
+    if (!((filter_.bounds->min.array() <= filter_.bounds->max.array()).all())) {
+      throw Error(ErrorCode::InvalidArgument, "'" + path_ +
+                                                  "': its points cannot be selected by bounds of which a "
+                                                  "least coordinate is above the greatest; swap them");
+    }
+    Vec3 low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = local(filter_.bounds->min[axis], axis, -1);
+      high[axis] = local(filter_.bounds->max[axis], axis, 1);
+    }
+    const auto inside = [&](std::size_t i) {
+      const auto p = scan_.points[i].array();
+      return (p >= low.array()).all() && (p <= high.array()).all();
+    };
+    counts_.by_bounds = drop(inside, " within the bounds: its points are between " + corner(bounds(scan_.points).min) +
+                                         " and " + corner(bounds(scan_.points).max));
+  }
+
+  /// A bound relative to the origin, moved outwards by what the coordinates of the file are rounded by.
+  double local(double bound, int axis, int outwards) const {
+    if (std::isinf(bound)) return bound;
+    const double origin = scan_.origin[axis];
+    return bound - origin + outwards * 0x1p-52 * std::max(std::abs(bound), std::abs(origin));
+  }
+
+  std::string corner(const Vec3& local) const {
+    const Vec3 p = scan_.origin + local;
+    return std::to_string(p.x()) + "," + std::to_string(p.y()) + "," + std::to_string(p.z());
+  }
+
+  const Scan& scan_;
+  const PointFilter& filter_;
+  const std::string& path_;
+  std::vector<char> kept_;
+  FilterCounts counts_;
+};
+
+}  // namespace
+
+std::vector<Index> find_no_returns(const Scan& scan) {
+  constexpr std::size_t kFewest = 10, kShare = 1000;
+  std::vector<Index> found;
+  if (scan.is_mesh()) return found;
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    if ((scan.points[i] + scan.origin).isZero(0)) found.push_back(static_cast<Index>(i));
+  }
+  const bool are_many = found.size() >= kFewest && found.size() * kShare > scan.points.size();
+  return are_many ? found : std::vector<Index>();
+}
+
+SetAside::SetAside(Scan& scan, std::vector<Index> points) : points_(scan.points.size()), indices_(std::move(points)) {
+  for (const Index i : indices_) {
+    if (i >= points_)
+      throw Error(ErrorCode::InvalidArgument, "point " + std::to_string(i) + " of " + std::to_string(points_) +
+                                                  " cannot be set aside: give an index below their number");
+    positions_.push_back(scan.points[i]);
+  }
+  for (const Index i : indices_) scan.points[i].setConstant(kNaN);
+}
+
+void SetAside::restore(Scan& scan) const {
+  if (scan.points.size() != points_) return;
+  for (std::size_t k = 0; k < indices_.size(); ++k) scan.points[indices_[k]] = positions_[k];
+}
+
+std::vector<Index> find_withheld(const Scan& scan) {
+  std::vector<Index> found;
+  const Field* const flags = scan.is_mesh() ? nullptr : find_field(scan, {"withheld"});
+  for (std::size_t i = 0; flags && i < scan.points.size(); ++i) {
+    if (flags->values[i] == 1 && is_finite(scan.points[i])) found.push_back(static_cast<Index>(i));
+  }
+  return found;
+}
+
+FilterCounts select_points(Scan& scan, const PointFilter& filter, const std::string& path) {
+  if (filter.classes.empty() && filter.returns == Returns::All && !filter.bounds) return {};
+  Selection selection(scan, filter, path);
+  const FilterCounts counts = selection.run();
+  leave_out(scan, selection.kept());
+  return counts;
+}
+
+void leave_out(Scan& scan, const std::vector<char>& kept) {
+  if (kept.size() != scan.points.size()) {
+    throw Error(ErrorCode::InvalidArgument, std::to_string(kept.size()) + " marks for " +
+                                                std::to_string(scan.points.size()) + " points: give one a point");
+  }
+  if (scan.is_organised() && !scan.is_mesh()) {
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (!kept[i]) scan.points[i].setConstant(kNaN);
+    }
+    return;
+  }
+  std::vector<Index> indices;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i]) indices.push_back(static_cast<Index>(i));
+  }
+  if (indices.size() < kept.size() || scan.is_mesh()) keep_points(scan, indices);
+}
+
+}  // namespace kappa
