@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints the tables of docs/accuracy.md as Markdown: accuracy_experiment [TABLE...], all of them without an argument.
+// Prints a table of errors on surfaces of known curvature as CSV: accuracy_experiment TABLE. README.md lists the
+// tables.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,27 +20,33 @@
 namespace kappa::experiments {
 namespace {
 
-void print_head(const char* first) {
-  std::printf("| %s | mean | gaussian | k_min | k_max | max of mean | no answer |\n", first);
-  std::printf("|---|---|---|---|---|---|---|\n");
-}
+constexpr const char* kErrorColumns = "mean,gaussian,k_min,k_max,max_mean,missing";
 
-void print_row(const std::string& name, const Errors& e) {
-  std::printf("| %s | %.1e | %.1e | %.1e | %.1e | %.1e | %zu |\n", name.c_str(), e.mean, e.gaussian, e.k_min, e.k_max,
-              e.max_mean, e.missing);
+/// The last cells of a row.
+void print_errors(const Errors& e) {
+  std::printf("%.1e,%.1e,%.1e,%.1e,%.1e,%zu\n", e.mean, e.gaussian, e.k_min, e.k_max, e.max_mean, e.missing);
   std::fflush(stdout);
 }
 
-std::string label(const std::string& name, double radius, int order) {
-  char text[200];
-  std::snprintf(text, sizeof(text), "%s, radius %g, order %d", name.c_str(), radius, order);
-  return text;
+/// The first cells of a row, and their names.
+constexpr const char* kSettingColumns = "surface,radius,order,splitting";
+void print_setting(const std::string& surface, double radius, int order, const std::string& splitting) {
+  std::printf("%s,%g,%d,%s,", quoted(surface).c_str(), radius, order, quoted(splitting).c_str());
+}
+
+void print_head() {
+  std::printf("%s,%s\n", kSettingColumns, kErrorColumns);
 }
 
 Execution all_threads() {
   Execution run;
   run.threads = 0;
   return run;
+}
+
+constexpr const char* kNoisyTorus = "torus 150 x 150, noise 0.3, 10 averagings";
+Subject rough_torus() {
+  return noisy_torus(150, 0.3, 10);
 }
 
 /// One row a radius and order.
@@ -49,20 +56,29 @@ void print_orders(const std::string& name, const Subject& s, const std::vector<d
   options.radii = radii;
   for (options.order = 1; options.order <= 3; ++options.order) {
     const auto fields = estimate_curvatures(balls, s.u, options, all_threads());
-    for (const CurvatureField& f : fields) print_row(label(name, f.radius, options.order), errors(f, s.truth));
+    for (const CurvatureField& f : fields) {
+      print_setting(name, f.radius, options.order, "plain");
+      print_errors(errors(f, s.truth));
+    }
   }
 }
 
-void orders_table() {
-  std::printf("\n## Orders on meshes\n\n");
-  print_head("mesh, true normals");
-  print_orders("torus 100 x 100", torus(100), {0.5, 1.0});
-  print_orders("torus 150 x 150, noise 0.3, 10 averagings", noisy_torus(150, 0.3, 10), {1.0, 1.5});
+void print_plain() {
+  const Subject t = torus(200);
+  print_setting("torus 200 x 200, star", 0, 1, "plain");
+  print_errors(errors(estimate_curvatures(t.mesh, t.u, {}, all_threads())[0], t.truth));
+  const Subject g = goursat(0.125);
+  CurvatureOptions options;
+  options.radii = {std::sqrt(0.125)};
+  print_setting("Goursat h = 0.125", options.radii[0], 1, "plain");
+  print_errors(errors(estimate_curvatures(g.mesh, g.u, options, all_threads())[0], g.truth));
 }
 
-void clouds_table() {
-  std::printf("\n## Orders on clouds\n\n");
-  print_head("cloud, umbrella surface, exact normals");
+void orders_table() {
+  print_head();
+  print_plain();
+  print_orders("torus 100 x 100", torus(100), {0.5, 1.0});
+  print_orders(kNoisyTorus, rough_torus(), {1.0, 1.5});
   print_orders("torus_010000", cloud("torus_010000"), {0.4, 0.8, 1.6, 2.4});
   print_orders("goursat_010000", cloud("goursat_010000"), {0.5, 1.0, 2.0});
   print_orders("torus-lidar", cloud("torus-lidar"), {0.6, 1.2});
@@ -84,8 +100,8 @@ constexpr Splitting kSplittings[] = {{0}, {2, true}, {1}, {2}, {3}};
 
 std::string name_of(const Splitting& how) {
   if (how.levels == 0) return "plain";
-  return (how.pn ? "PN triangles, split " : "refined ") + std::to_string(how.levels) +
-         (how.levels > 1 ? " times" : " time");
+  constexpr const char* kTimes[] = {"", "once", "twice", "three times"};
+  return std::string(how.pn ? "PN triangles, split " : "refined ") + kTimes[how.levels];
 }
 
 CurvatureOptions at(double radius, int order) {
@@ -98,18 +114,17 @@ CurvatureOptions at(double radius, int order) {
 void print_refined(const std::string& name, const Subject& s, double radius, int order) {
   for (const Splitting& how : kSplittings) {
     const MeasureTree balls(split(s, how));
-    print_row(label(name, radius, order) + ", " + name_of(how),
-              errors(estimate_curvatures(balls, s.u, at(radius, order), all_threads())[0], s.truth));
+    print_setting(name, radius, order, name_of(how));
+    print_errors(errors(estimate_curvatures(balls, s.u, at(radius, order), all_threads())[0], s.truth));
   }
 }
 
 void print_roughness(const char* name, const Subject& s) {
-  std::printf("%s %.3f, ", name, normal_roughness(s.mesh, s.u));
+  std::printf("%s,%.3f\n", quoted(name).c_str(), normal_roughness(s.mesh, s.u));
 }
 
 void refine_table() {
-  std::printf("\n## Curved refinement\n\n");
-  print_head("surface, exact normals");
+  print_head();
   print_refined("torus 100 x 100", torus(100), 0.5, 3);
   print_refined("torus_010000", cloud("torus_010000"), 1.6, 3);
   const Subject cloudy = cloud("goursat_010000");
@@ -121,20 +136,20 @@ void refine_table() {
   const Subject mesh = goursat(0.25);
   print_refined("Goursat h = 0.25", mesh, 0.5, 2);
   print_refined("Goursat h = 0.25", mesh, 1.0, 3);
-  const Subject noisy = noisy_torus(150, 0.3, 10);
-  print_refined("torus 150 x 150, noise 0.3, 10 averagings", noisy, 1.5, 2);
-  std::printf("\nroughness of the normals: ");
+  print_refined(kNoisyTorus, rough_torus(), 1.5, 2);
+}
+
+void roughness_table() {
+  std::printf("surface,roughness\n");
   print_roughness("Goursat h = 0.5", goursat(0.5));
-  print_roughness("Goursat h = 0.25", mesh);
+  print_roughness("Goursat h = 0.25", goursat(0.25));
   print_roughness("torus_010000", cloud("torus_010000"));
-  print_roughness("torus-lidar", lidar);
-  print_roughness("noisy torus", noisy);
-  std::printf("\n");
+  print_roughness("torus-lidar", cloud("torus-lidar"));
+  print_roughness(kNoisyTorus, rough_torus());
 }
 
 void polygons_table() {
-  std::printf("\n## Curved refinement of polygons\n\n");
-  print_head("surface, exact normals");
+  print_head();
   const Subject nets = goursat_nets(0.5), quads = torus_of_quads(60), hexagons = joined(quads);
   print_refined("Goursat h = 0.5, surface nets, triangles", nets, 1, 3);
   print_refined("Goursat h = 0.5, surface nets, quads", joined(nets), 1, 3);
@@ -178,16 +193,16 @@ void print_cost(const std::string& name, const Subject& s, double radius, int or
     }
     const double to_split = percentile(splitting, 50), to_sum = percentile(balls, 50);
     if (how.levels == 0) plain = to_split + to_sum;
-    std::printf("| %s, %s | %.1f | %.1f | %.1f | %.0f |\n", label(name, radius, order).c_str(), name_of(how).c_str(),
-                to_split / plain, to_sum / plain, (to_split + to_sum) / plain,
+    print_setting(name, radius, order, name_of(how));
+    std::printf("%.1f,%.1f,%.1f,%.0f\n", to_split / plain, to_sum / plain, (to_split + to_sum) / plain,
                 c.bytes / static_cast<double>(s.mesh.faces.size()));
     std::fflush(stdout);
   }
 }
 
+/// Times over that of the plain run.
 void cost_table() {
-  std::printf("\n## Cost of refinement, in CPU times of the plain run\n\n");
-  std::printf("| surface | splitting | tree and balls | all | bytes a face |\n|---|---|---|---|---|\n");
+  std::printf("%s,to_split,to_sum,all,bytes_per_face\n", kSettingColumns);
   print_cost("torus_010000", cloud("torus_010000"), 1.6, 3);
   print_cost("goursat_010000", cloud("goursat_010000"), 0.9, 3);
 }
@@ -207,15 +222,13 @@ void print_own_scale(const std::string& name, const Subject& s) {
               0.5 * std::pow(sample.k.k_max - s.truth[i].k_max, 2)) /
              2;
   }
-  char text[200];
-  std::snprintf(text, sizeof(text), "%s: radius %.2g to %.2g, median %.2g; std_error / error %.2f", name.c_str(),
-                percentile(radii, 5), percentile(radii, 95), percentile(radii, 50), std::sqrt(told / truly));
-  print_row(text, errors(f, s.truth));
+  std::printf("%s,%.2g,%.2g,%.2g,%.2f,", quoted(name).c_str(), percentile(radii, 5), percentile(radii, 95),
+              percentile(radii, 50), std::sqrt(told / truly));
+  print_errors(errors(f, s.truth));
 }
 
 void scale_table() {
-  std::printf("\n## Radius and order chosen for every point\n\n");
-  print_head("surface: 5 to 95 % of the radii");
+  std::printf("surface,radius_p5,radius_p95,radius_median,told_over_true_error,%s\n", kErrorColumns);
   print_own_scale("torus 100 x 100, true normals", torus(100));
   print_own_scale("Goursat h = 0.25, true normals", goursat(0.25));
   for (const double noise : {0.1, 0.3, 0.5})
@@ -236,30 +249,16 @@ void scale_table() {
   }
 }
 
-void plain_table() {
-  std::printf("\n## Order 1\n\n");
-  print_head("mesh");
-  const Subject t = torus(200);
-  CurvatureOptions options;
-  print_row("torus 200 x 200, true normals, star",
-            errors(estimate_curvatures(t.mesh, t.u, options, all_threads())[0], t.truth));
-  const Subject g = goursat(0.125);
-  options.radii = {std::sqrt(0.125)};
-  print_row("Goursat h = 0.125, true normals, radius sqrt(h)",
-            errors(estimate_curvatures(g.mesh, g.u, options, all_threads())[0], g.truth));
-}
-
 }  // namespace
 }  // namespace kappa::experiments
 
 int main(int argc, char** argv) {
   using namespace kappa::experiments;
-  return print_tables(argc, argv,
-                      {{"plain", plain_table},
-                       {"orders", orders_table},
-                       {"clouds", clouds_table},
-                       {"refine", refine_table},
-                       {"polygons", polygons_table},
-                       {"cost", cost_table},
-                       {"scale", scale_table}});
+  return print_table(argc, argv,
+                     {{"orders", orders_table},
+                      {"refine", refine_table},
+                      {"polygons", polygons_table},
+                      {"roughness", roughness_table},
+                      {"cost", cost_table},
+                      {"own-scale", scale_table}});
 }

@@ -8,11 +8,14 @@
 #include <ctime>
 #include <functional>
 
+#include "tables.hpp"
+
 namespace kappa::experiments {
 namespace {
 
-/// Curvatures with their errors and the median CPU time of some runs.
-Row measure(const std::vector<TrueCurvature>& truth, int runs, const std::function<CurvatureField()>& compute) {
+/// Adds the errors of what `compute` returns, and the median CPU time of some runs.
+void measure(const std::vector<TrueCurvature>& truth, int runs, const std::function<CurvatureField()>& compute,
+             Row& row) {
   std::vector<double> seconds;
   CurvatureField field;
   for (int run = 0; run < runs; ++run) {
@@ -22,11 +25,8 @@ Row measure(const std::vector<TrueCurvature>& truth, int runs, const std::functi
   }
   std::sort(seconds.begin(), seconds.end());
   const auto points = std::count_if(truth.begin(), truth.end(), [](const auto& k) { return !std::isnan(k.mean); });
-  Row row;
-  row.order = field.order;
   row.errors = errors(field, truth);
   row.points_per_second = static_cast<double>(points) / seconds[seconds.size() / 2];
-  return row;
 }
 
 std::string setting_of(const CurvatureOptions& options) {
@@ -55,6 +55,21 @@ double correct_signs(const Normals& exact, Normals& u) {
   return static_cast<double>(std::min(wrong, u.size() - wrong)) / static_cast<double>(u.size());
 }
 
+double speed(const Row& row) {
+  const double unit = std::pow(10.0, std::floor(std::log10(row.points_per_second)) - 1);
+  return std::round(row.points_per_second / unit) * unit;
+}
+
+/// A row of a cloud, without its errors.
+Row row_of(const Oriented& cloud, const std::string& surface, const std::string& setting) {
+  Row row;
+  row.normals = cloud.normals;
+  row.wrong_signs = cloud.wrong_signs;
+  row.surface = surface;
+  row.setting = setting;
+  return row;
+}
+
 }  // namespace
 
 std::string text(const char* format, ...) {
@@ -66,16 +81,9 @@ std::string text(const char* format, ...) {
   return line;
 }
 
-std::string speed(const Row& row) {
-  const double unit = std::pow(10.0, std::floor(std::log10(row.points_per_second)) - 1);
-  std::string digits = text("%.0f", std::round(row.points_per_second / unit) * unit);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
-  return digits;
-}
-
 Oriented with_exact_normals(const KnownScan& known) {
   return {known, known.scan.normals, automatic_radius(make_surface(known.scan, umbrella_with(NormalsKind::Input))),
-          "exact normals"};
+          "exact normals", ""};
 }
 
 Oriented with_fitted_normals(const KnownScan& known, SurfaceOptions options) {
@@ -85,7 +93,7 @@ Oriented with_fitted_normals(const KnownScan& known, SurfaceOptions options) {
   const double wrong = correct_signs(known.scan.normals, surface.u);
   const std::string fit = surface.normal_radius > 0 ? text("quadrics within %.2g", surface.normal_radius)
                                                     : text("quadrics of %d points", surface.normal_neighbours);
-  return {known, surface.u, automatic_radius(surface), fit + text(" (own signs: %.2g %% wrong)", 100 * wrong)};
+  return {known, surface.u, automatic_radius(surface), fit, text("%.2g", 100 * wrong)};
 }
 
 KnownScan rotated(const KnownScan& known, const Mat3& rotation) {
@@ -96,22 +104,21 @@ KnownScan rotated(const KnownScan& known, const Mat3& rotation) {
 }
 
 Row scheme_row(const Oriented& cloud, TriangleScheme scheme, int neighbours) {
-  Row row = measure(cloud.known.truth, cloud.runs, [&] {
+  Row row = row_of(cloud, name(scheme), text("K = %d", neighbours));
+  const auto compute = [&] {
     return random_triangle_curvatures(cloud.known.scan.points, cloud.u, {scheme, neighbours, 100});
-  });
-  row.surface = name(scheme);
-  row.setting = text("K = %d", neighbours);
+  };
+  measure(cloud.known.truth, cloud.runs, compute, row);
   return row;
 }
 
 Row umbrella_row(const Oriented& cloud, const CurvatureOptions& options) {
-  Row row = measure(cloud.known.truth, cloud.runs, [&] {
+  Row row = row_of(cloud, "umbrella", setting_of(options));
+  const auto compute = [&] {
     const CloudSurface surface = umbrella_surface(Vec3::Zero(), cloud.known.scan.points, cloud.u, {});
     return estimate_curvatures(surface.mesh, cloud.u, options)[0];
-  });
-  row.surface = "umbrella";
-  row.setting = setting_of(options);
-  row.refine = options.refine;
+  };
+  measure(cloud.known.truth, cloud.runs, compute, row);
   return row;
 }
 
@@ -119,26 +126,34 @@ Row surface_row(const KnownScan& known, SurfaceKind kind, NormalsKind normals, c
   SurfaceOptions how;
   how.surface = kind;
   how.normals = normals;
-  Row row = measure(known.truth, 3, [&] {
+  Row row;
+  row.normals = normals == NormalsKind::Input ? "exact normals" : "normals of faces";
+  row.surface = name(kind);
+  row.setting = setting_of(options);
+  const auto compute = [&] {
     const Surface surface = make_surface(known.scan, how);
     return estimate_curvatures(surface.mesh, surface.u, options)[0];
-  });
-  row.surface = std::string(name(kind)) + (normals == NormalsKind::Input ? ", exact normals" : ", normals of faces");
-  row.setting = setting_of(options);
+  };
+  measure(known.truth, 3, compute, row);
   return row;
 }
 
-std::string table(const std::string& title, const std::vector<Row>& rows) {
-  std::string out = "\n" + title + "\n\n| surface | setting | mean | gaussian | k_min | k_max | none | points/s |\n" +
-                    "|---|---|---|---|---|---|---|---|\n";
+void print_columns() {
+  std::printf("cloud,noise_percent,normals,wrong_signs_percent,surface,setting,mean,max_mean,gaussian,max_gaussian,");
+  std::printf("k_min,max_k_min,k_max,max_k_max,missing,points_per_second\n");
+}
+
+void print_rows(const std::string& cloud, double noise_percent, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     const Errors& e = row.errors;
-    out += "| " + row.surface + " | " + row.setting;
-    out += text(" | %.1e / %.1e", e.mean, e.max_mean) + text(" | %.1e / %.1e", e.gaussian, e.max_gaussian);
-    out += text(" | %.1e / %.1e", e.k_min, e.max_k_min) + text(" | %.1e / %.1e", e.k_max, e.max_k_max);
-    out += text(" | %zu | ", e.missing) + speed(row) + " |\n";
+    std::printf("%s,%g,%s,%s,", quoted(cloud).c_str(), noise_percent, quoted(row.normals).c_str(),
+                row.wrong_signs.c_str());
+    std::printf("%s,%s,", row.surface.c_str(), quoted(row.setting).c_str());
+    std::printf("%.1e,%.1e,%.1e,%.1e,", e.mean, e.max_mean, e.gaussian, e.max_gaussian);
+    std::printf("%.1e,%.1e,%.1e,%.1e,", e.k_min, e.max_k_min, e.k_max, e.max_k_max);
+    std::printf("%zu,%.0f\n", e.missing, speed(row));
   }
-  return out;
+  std::fflush(stdout);
 }
 
 }  // namespace kappa::experiments

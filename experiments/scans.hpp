@@ -8,7 +8,7 @@
 #include "kappa/scan/scan.hpp"
 #include "kappa/shapes/analytic.hpp"
 
-/// Scans with known curvature that the tables of docs/surfaces.md are about.
+/// Scans with known curvature that the tables of surfaces of clouds are about.
 namespace kappa::experiments {
 
 struct KnownScan {

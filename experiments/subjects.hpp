@@ -7,7 +7,7 @@
 #include "kappa/curvature/estimate.hpp"
 #include "kappa/shapes/analytic.hpp"
 
-/// Surfaces with known curvature that the tables of docs/accuracy.md are about.
+/// Surfaces with known curvature that the tables of accuracy are about.
 namespace kappa::experiments {
 
 struct Subject {

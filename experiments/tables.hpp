@@ -1,27 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "kappa/core/error.hpp"
 
 namespace kappa::experiments {
 
-/// Tables of a program by the names that its arguments call them.
-using Tables = std::vector<std::pair<std::string, std::function<void()>>>;
+/// A cell of a CSV table that may hold commas.
+inline std::string quoted(const std::string& cell) {
+  return '"' + cell + '"';
+}
 
-/// Prints those that the arguments name, all of them without an argument. The exit code of the program.
-inline int print_tables(int argc, char** argv, const Tables& tables) {
-  const std::vector<std::string> wanted(argv + 1, argv + argc);
+/// The tables of a program, each a function that prints it as CSV, by name.
+using Tables = std::map<std::string, std::function<void()>>;
+
+/// Prints the table that the argument names, or says which there are. Returns the exit code of the program.
+inline int print_table(int argc, char** argv, const Tables& tables) {
+  const auto wanted = argc == 2 ? tables.find(argv[1]) : tables.end();
+  if (wanted == tables.end()) {
+    std::fprintf(stderr, "give one table:");
+    for (const auto& table : tables) std::fprintf(stderr, " %s", table.first.c_str());
+    std::fprintf(stderr, "\n");
+    return 2;
+  }
   try {
-    for (const auto& [name, print] : tables) {
-      if (wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end()) print();
-    }
+    wanted->second();
   } catch (const Error& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;
