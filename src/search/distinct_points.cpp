@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "distinct_points.hpp"
 
-#include "kappa/core/error.hpp"
+#include "kappa/core/checks.hpp"
 #include "kappa/search/fitted_normals.hpp"
 
 namespace kappa {
 
 DistinctPoints distinct_points(const std::vector<Vec3>& points, const Normals& normals) {
-  if (normals.size() != points.size())
-    throw Error(ErrorCode::InvalidArgument, std::to_string(normals.size()) + " normals for " +
-                                                std::to_string(points.size()) + " points: give one a point");
+  check_one_each(normals.size(), "normal", points.size(), "point");
   DistinctPoints distinct;
   distinct.representative = find_duplicates(points);
   for (Index i = 0; i < points.size(); ++i) {
@@ -19,12 +17,6 @@ DistinctPoints distinct_points(const std::vector<Vec3>& points, const Normals& n
     distinct.original.push_back(i);
   }
   return distinct;
-}
-
-void check_range(const std::string& name, long value, long from, long to, const std::string& what) {
-  if (value >= from && value <= to) return;
-  throw Error(ErrorCode::InvalidArgument, name + " = " + std::to_string(value) + ": give " + std::to_string(from) +
-                                              " to " + std::to_string(to) + " for " + what);
 }
 
 }  // namespace kappa

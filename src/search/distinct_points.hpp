@@ -20,7 +20,4 @@ struct DistinctPoints {
 /// @throws Error InvalidArgument if sizes differ.
 DistinctPoints distinct_points(const std::vector<Vec3>& points, const Normals& normals);
 
-/// @throws Error InvalidArgument if `value` is not in [from, to]; "neighbours = 2: give 3 to 255 for <what>".
-void check_range(const std::string& name, long value, long from, long to, const std::string& what);
-
 }  // namespace kappa

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "kappa/balls/ball_sum.hpp"
+#include "kappa/core/checks.hpp"
 #include "kappa/core/spatial_order.hpp"
 #include "kappa/search/neighbours.hpp"
 #include "search/distinct_points.hpp"

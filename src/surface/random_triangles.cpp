@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "hash_random.hpp"
+#include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/core/spatial_order.hpp"
 #include "kappa/search/neighbours.hpp"
