@@ -17,15 +17,15 @@ namespace {
 
 using namespace kappa;
 
-using Engine = std::unique_ptr<BallSum> (*)(const MeasuredTriangles&);
+using Engine = std::unique_ptr<BallSum> (*)(const Triangles&);
 
-std::unique_ptr<BallSum> make_flann(const MeasuredTriangles& t) {
+std::unique_ptr<BallSum> make_flann(const Triangles& t) {
   return std::make_unique<FlannBallSum>(t);
 }
-std::unique_ptr<BallSum> make_tree(const MeasuredTriangles& t) {
+std::unique_ptr<BallSum> make_tree(const Triangles& t) {
   return std::make_unique<MeasureTree>(t);
 }
-std::unique_ptr<BallSum> make_fast(const MeasuredTriangles& t) {
+std::unique_ptr<BallSum> make_fast(const Triangles& t) {
   return std::make_unique<MeasureTree>(t, Precision::Fast);
 }
 
@@ -88,7 +88,7 @@ void search_alone(benchmark::State& state, const std::string& surface, int faces
   static std::map<std::string, std::unique_ptr<NeighbourSearch>> made;
   std::unique_ptr<NeighbourSearch>& search = made[surface];
   if (!search) {
-    const MeasuredTriangles& t = bench::measured(surface);
+    const Triangles& t = bench::measured(surface);
     std::vector<Vec3> centroids;
     for (const auto& c : t.corners) centroids.push_back((t.x[c[0]] + t.x[c[1]] + t.x[c[2]]) / 3);
     search = std::make_unique<NeighbourSearch>(centroids);
@@ -109,12 +109,12 @@ void search_alone(benchmark::State& state, const std::string& surface, int faces
 }
 
 void build(benchmark::State& state, const std::string& name) {
-  const MeasuredTriangles& t = bench::measured("torus");
+  const Triangles& t = bench::measured("torus");
   Execution one;  // as FLANN has
   one.threads = 1;
   for (auto _ : state) {
     state.PauseTiming();
-    MeasuredTriangles copy = t;
+    Triangles copy = t;
     state.ResumeTiming();
     std::unique_ptr<BallSum> balls;
     if (name == "flann") balls = std::make_unique<FlannBallSum>(std::move(copy));

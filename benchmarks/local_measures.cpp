@@ -24,7 +24,7 @@ void triad(benchmark::State& state) {
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * 3 * kCount * sizeof(double)));
 }
 
-void set_bytes(benchmark::State& state, const MeasuredTriangles& t) {
+void set_bytes(benchmark::State& state, const Triangles& t) {
   const std::size_t bytes = t.x.size() * 2 * sizeof(Vec3) + t.size() * (3 * sizeof(Index) + sizeof(MeasureSum));
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * bytes));
 }
@@ -32,13 +32,13 @@ void set_bytes(benchmark::State& state, const MeasuredTriangles& t) {
 /// The whole call, with the check of the mesh and the copies of vertices and normals.
 void whole_call(benchmark::State& state, const std::string& surface) {
   const bench::Surface& s = bench::surface(surface);
-  for (auto _ : state) benchmark::DoNotOptimize(measure_triangles(s.mesh, s.normals).measures.data());
+  for (auto _ : state) benchmark::DoNotOptimize(triangles_of(s.mesh, s.normals).measures.data());
   set_bytes(state, bench::measured(surface));
 }
 
 /// The pass over the faces alone.
 void pass(benchmark::State& state) {
-  const MeasuredTriangles& t = bench::measured("torus");
+  const Triangles& t = bench::measured("torus");
   const kernels::TriangleView view = view_of(t);
   const kernels::Table& table = kernels::best_table();
   std::vector<MeasureSum> out(t.size());
@@ -51,7 +51,7 @@ void pass(benchmark::State& state) {
 
 /// A plain scalar loop over the faces.
 void plain_loop(benchmark::State& state) {
-  const MeasuredTriangles& t = bench::measured("torus");
+  const Triangles& t = bench::measured("torus");
   std::vector<MeasureSum> out(t.size());
   for (auto _ : state) {
     for (std::size_t i = 0; i < t.size(); ++i) {

@@ -130,12 +130,12 @@ const Surface& surface(const std::string& name) {
   return found != made.end() ? found->second : made.emplace(name, make(name)).first->second;
 }
 
-const MeasuredTriangles& measured(const std::string& name) {
-  static std::map<std::string, MeasuredTriangles> made;
+const Triangles& measured(const std::string& name) {
+  static std::map<std::string, Triangles> made;
   const auto found = made.find(name);
   if (found != made.end()) return found->second;
   const Surface& s = surface(name);
-  return made.emplace(name, measure_triangles(s.mesh, s.normals)).first->second;
+  return made.emplace(name, triangles_of(s.mesh, s.normals)).first->second;
 }
 
 double radius_for(const std::string& name, double faces) {

@@ -20,7 +20,7 @@ struct Surface {
 const Surface& surface(const std::string& name);
 
 /// The measured triangles of a surface. Made once.
-const MeasuredTriangles& measured(const std::string& name);
+const Triangles& measured(const std::string& name);
 
 /// Radius of a disc of `faces` average triangles of the torus or terrain that the surface is made of.
 double radius_for(const std::string& name, double faces);

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   const auto is = [&](const char* name) { return argc == 2 && std::strcmp(argv[1], name) == 0; };
   if (!is("double") && !is("fast")) return 2;
   const bench::Surface& s = bench::surface("torus");
-  const MeasureTree tree(measure_triangles(s.mesh, s.normals), is("fast") ? Precision::Fast : Precision::Double);
+  const MeasureTree tree(triangles_of(s.mesh, s.normals), is("fast") ? Precision::Fast : Precision::Double);
   const auto fields = estimate_curvatures(tree, s.mesh.vertices, s.normals, {bench::radius_for("torus", 200)},
                                           BallDefinition::ExactDensity, {});
   rusage usage;

@@ -13,7 +13,7 @@
 #include "kappa/core/error.hpp"
 #include "kappa/core/percentiles.hpp"
 #include "kappa/curvature/own_scale.hpp"
-#include "kappa/curvature/refine.hpp"
+#include "kappa/curvature/shape_operators.hpp"
 #include "subjects.hpp"
 #include "tables.hpp"
 
@@ -51,7 +51,7 @@ Subject rough_torus() {
 
 /// One row a radius and order.
 void print_orders(const std::string& name, const Subject& s, const std::vector<double>& radii) {
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   CurvatureOptions options;
   options.radii = radii;
   for (options.order = 1; options.order <= 3; ++options.order) {
@@ -90,10 +90,10 @@ struct Splitting {
   bool pn = false;  ///< on PN triangles
 };
 
-MeasuredTriangles split(const Subject& s, const Splitting& how) {
-  if (how.levels == 0) return measure_triangles(s.mesh, s.u);
-  if (!how.pn) return measure_refined(s.mesh, s.u, how.levels);
-  return measure_refined(s.mesh, s.u, ShapeOperators(s.u.size(), Mat3::Constant(kNaN)), how.levels);
+Triangles split(const Subject& s, const Splitting& how) {
+  if (how.levels == 0) return triangles_of(s.mesh, s.u);
+  if (!how.pn) return refined_triangles(s.mesh, s.u, how.levels);
+  return refined_triangles(s.mesh, s.u, ShapeOperators(s.u.size(), Mat3::Constant(kNaN)), how.levels);
 }
 
 constexpr Splitting kSplittings[] = {{0}, {2, true}, {1}, {2}, {3}};
@@ -170,7 +170,7 @@ struct Cost {
 
 Cost cost(const Subject& s, const Splitting& how, double radius, int order) {
   const double start = cpu_seconds();
-  MeasuredTriangles t = split(s, how);
+  Triangles t = split(s, how);
   const double is_split = cpu_seconds();
   const double points = static_cast<double>(t.x.size() * 2 * sizeof(Vec3));
   const double parts =
@@ -209,7 +209,7 @@ void cost_table() {
 
 /// What was chosen, its error, and the error that it was said to have over the true one.
 void print_own_scale(const std::string& name, const Subject& s) {
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   const CurvatureField f = estimate_at_own_scale(balls, s.u, BallDefinition::ExactDensity, all_threads());
   std::vector<double> radii;
   double told = 0, truly = 0;

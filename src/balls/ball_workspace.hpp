@@ -9,29 +9,13 @@
 
 namespace kappa {
 
-static_assert(sizeof(MeasureSum) == kernels::kSums * sizeof(double), "kernels add a MeasureSum as 9 doubles");
-static_assert(sizeof(std::array<Index, 3>) == 3 * sizeof(std::uint32_t) && sizeof(Vec3) == 3 * sizeof(double),
-              "kernels read corners and vectors as plain arrays");
-
-/// To be made once: it looks at all weights.
-inline kernels::TriangleView view_of(const MeasuredTriangles& t) {
-  if (t.size() == 0) return {};
-  const bool weighted = std::any_of(t.weights.begin(), t.weights.end(), [](double w) { return w != 1; });
-  const double* const measures = t.measures.empty() ? nullptr : &t.measures[0].area;
-  const double* const beside = t.beside.empty() ? nullptr : &t.beside[0].area;
-  return {t.size(), measures, t.corners[0].data(), t.x[0].data(), t.u[0].data(), weighted ? t.weights.data() : nullptr,
-          beside};
-}
-
-/// Makes the measures of all triangles, in their place if there are any.
-void measure_all(MeasuredTriangles& t, const kernels::Table& table, const Execution& run);
-
 /// Radii in increasing order, and where each stood.
 struct SortedRadii {
   std::vector<std::size_t> given;
   std::vector<double> radii, radii_sq;
 
-  explicit SortedRadii(const std::vector<double>& unsorted) : given(unsorted.size()) {
+  explicit SortedRadii(const std::vector<double>& unsorted) : SortedRadii(unsorted.data(), unsorted.size()) {}
+  SortedRadii(const double* unsorted, std::size_t count) : given(count) {
     std::iota(given.begin(), given.end(), std::size_t{0});
     std::stable_sort(given.begin(), given.end(),
                      [&](std::size_t a, std::size_t b) { return unsorted[a] < unsorted[b]; });
@@ -46,13 +30,17 @@ struct SortedRadii {
 template <class Real>
 class BallWorkspace {
  public:
-  BallWorkspace(const MeasuredTriangles& triangles, const SortedRadii& sorted, BallDefinition ball)
-      : triangles_(triangles),
-        radii_(sorted),
-        ball_(ball),
-        balls_(sorted.radii.size()),
-        direct_(sorted.radii.size()),
-        sums_(sorted.radii.size()) {}
+  /// `measures` are those of the triangles, or empty if they are not kept; both are kept by reference.
+  BallWorkspace(const Triangles& triangles, const std::vector<MeasureSum>& measures, BallDefinition ball)
+      : triangles_(triangles), measures_(measures), ball_(ball) {}
+
+  /// The radii of the balls from now on, kept by reference.
+  void use(const SortedRadii& radii) {
+    radii_ = &radii;
+    balls_.resize(radii.radii.size());
+    direct_.resize(radii.radii.size());
+    sums_.resize(radii.radii.size());
+  }
 
   /// The measures of the balls in the order in which the radii were given; `gather(query)` sees to all triangles.
   template <class Gather>
@@ -63,7 +51,7 @@ class BallWorkspace {
       start(centre, true);
       gather(query_);
     }
-    for (std::size_t r = 0; r < balls_.size(); ++r) sums_[radii_.given[r]] = total(r);
+    for (std::size_t r = 0; r < balls_.size(); ++r) sums_[radii_->given[r]] = total(r);
     return sums_.data();
   }
 
@@ -83,15 +71,15 @@ class BallWorkspace {
       std::fill(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
       b.faces = b.measured = 0;
       b.unit = 1;
-      b.radius = radii_.radii[r];
-      b.radius_sq = radii_.radii_sq[r];
+      b.radius = radii_->radii[r];
+      b.radius_sq = radii_->radii_sq[r];
       b.whole_count = b.waiting.count = b.irregular.count = 0;
     }
     std::fill(direct_.begin(), direct_.end(), BallMeasures{});
     query_ = {{centre[0], centre[1], centre[2]},
-              radii_.radii.data(),
-              radii_.radii_sq.data(),
-              static_cast<int>(radii_.radii.size()),
+              radii_->radii.data(),
+              radii_->radii_sq.data(),
+              static_cast<int>(radii_->radii.size()),
               ball_ == BallDefinition::ExactDensity,
               all_careful,
               balls_.data(),
@@ -108,7 +96,7 @@ class BallWorkspace {
       if (b.measured == 0) continue;
       const double edges_sq = std::accumulate(std::begin(b.longest_sq), std::end(b.longest_sq), 0.0);
       const double of_lanes = std::accumulate(std::begin(b.lanes[0]), std::end(b.lanes[0]), 0.0);
-      const double little = kLittle * radii_.radii[r] * b.unit;
+      const double little = kLittle * radii_->radii[r] * b.unit;
       const double area = (b.sum[0] + direct_[r].sum.area) * b.unit * b.unit + of_lanes;
       if (area * area < little * little * edges_sq * static_cast<double>(b.measured)) return true;
     }
@@ -118,7 +106,8 @@ class BallWorkspace {
   static void add_careful(void* workspace, std::uint32_t triangle, int radius) {
     auto& w = *static_cast<BallWorkspace*>(workspace);
     const auto r = static_cast<std::size_t>(radius);
-    add_triangle_in_ball(w.triangles_, triangle, w.centre_, w.radii_.radii[r], w.ball_, w.direct_[r]);
+    const MeasureSum whole = w.measures_.empty() ? measures_of(w.triangles_, triangle) : w.measures_[triangle];
+    add_triangle_in_ball(w.triangles_, triangle, whole, w.centre_, w.radii_->radii[r], w.ball_, w.direct_[r]);
   }
 
   BallMeasures total(std::size_t r) const {
@@ -134,8 +123,9 @@ class BallWorkspace {
     return m;
   }
 
-  const MeasuredTriangles& triangles_;
-  const SortedRadii& radii_;
+  const Triangles& triangles_;
+  const std::vector<MeasureSum>& measures_;
+  const SortedRadii* radii_ = nullptr;
   BallDefinition ball_;
   Vec3 centre_ = Vec3::Zero();
   kernels::BallQuery<Real> query_{};

@@ -9,6 +9,7 @@
 #include "kappa/core/spatial_order.hpp"
 #include "measure_tree_nodes.hpp"
 #include "measure_tree_order.hpp"
+#include "whole_measures.hpp"
 
 namespace kappa {
 namespace {
@@ -21,9 +22,8 @@ using kernels::TreeView;
 constexpr std::size_t kBlock = 64;
 constexpr std::size_t kTogether = 16;  ///< queries that share the way to where they start
 
-/// The triangles in the order of the tree. Where their measures follow from the rest they are computed anew in their
-/// place: a second array of them would be the largest thing that a run ever holds, and takes longer to fill.
-MeasuredTriangles in_order(MeasuredTriangles t, const kernels::Table& table, const Execution& run) {
+/// The triangles in the order of the tree.
+Triangles in_order(Triangles t, const Execution& run) {
   const std::vector<Index> order = tree_order(t, stage(run, 0.0, 0.0));
   const auto put_in_order = [&](auto& values) {
     if (values.empty()) return;
@@ -32,16 +32,11 @@ MeasuredTriangles in_order(MeasuredTriangles t, const kernels::Table& table, con
     for (const Index i : order) sorted.push_back(values[i]);
     values = std::move(sorted);
   };
-  const bool keeps_measures = !t.beside.empty();
   const std::function<void()> arrays[] = {[&] { put_in_order(t.corners); }, [&] { put_in_order(t.weights); },
-                                          [&] { put_in_order(t.faces); }, [&] { put_in_order(t.beside); },
-                                          [&] {
-                                            if (keeps_measures) put_in_order(t.measures);
-                                          }};
-  parallel_for(std::size(arrays), 1, stage(run, 0.6, 0.6), [&](std::size_t begin, std::size_t end, int) {
+                                          [&] { put_in_order(t.faces); }, [&] { put_in_order(t.beside); }};
+  parallel_for(std::size(arrays), 1, stage(run, 0.8, 0.8), [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t i = begin; i < end; ++i) arrays[i]();
   });
-  if (!keeps_measures) measure_all(t, table, stage(run, 0.6, 0.7));
   return t;
 }
 
@@ -62,13 +57,13 @@ struct SharedWalk {
 
 /// Small balls around one centre open mostly the same leaves. Larger ones share little more than the way to them, which
 /// costs less than telling them apart: those have a walk each.
-std::vector<SharedWalk> shared_walks(const std::vector<double>& radii, double mean_area) {
+std::vector<SharedWalk> shared_walks(const SortedRadii& all, double mean_area) {
   constexpr double kMostFaces = 400;
-  const SortedRadii all(radii);
   std::vector<SharedWalk> walks;
-  for (std::size_t first = 0, last = 0; first < radii.size(); first = last) {
+  const std::size_t count = all.radii.size();
+  for (std::size_t first = 0, last = 0; first < count; first = last) {
     const auto small = [&](double radius) { return kPi * radius * radius <= kMostFaces * mean_area; };
-    for (++last; last < radii.size() && small(all.radii[last]);) ++last;
+    for (++last; last < count && small(all.radii[last]);) ++last;
     const auto part = [&](const auto& of) {
       return std::decay_t<decltype(of)>(of.begin() + static_cast<std::ptrdiff_t>(first),
                                         of.begin() + static_cast<std::ptrdiff_t>(last));
@@ -82,9 +77,10 @@ std::vector<SharedWalk> shared_walks(const std::vector<double>& radii, double me
 template <class Real>
 class WalkSpace {
  public:
-  WalkSpace(const MeasuredTriangles& t, std::size_t leaves, const std::vector<SharedWalk>& walks, BallDefinition ball) {
+  /// `walks`: the most that a centre has; `shared`: whether one may serve several radii.
+  WalkSpace(const Triangles& t, const std::vector<MeasureSum>& measures, std::size_t leaves, std::size_t walks,
+            BallDefinition ball, bool shared) {
     const std::size_t room = leaves + 2 * kWidth;
-    const bool shared = std::any_of(walks.begin(), walks.end(), [](const auto& w) { return w.places.size() > 1; });
     for (int list = 0; list < 2; ++list) {
       // Left as they are, for most of the room is never touched.
       nodes_[list].reset(new std::uint32_t[room]);
@@ -92,7 +88,7 @@ class WalkSpace {
       visits.nodes[list] = nodes_[list].get();
       visits.ranges[list] = ranges_[list].get();
     }
-    for (const SharedWalk& walk : walks) balls.emplace_back(t, walk.radii, ball);
+    for (std::size_t walk = 0; walk < walks; ++walk) balls.emplace_back(t, measures, ball);
   }
 
   kernels::Visits visits{};
@@ -121,9 +117,11 @@ template <class Real>
 class Hierarchy {
  public:
   /// In floats it takes the measures away: those of whole nodes stand in their sums, and the leaves have all the rest.
-  Hierarchy(MeasuredTriangles& t, const Execution& run)
-      : triangles_(t.size()), frame_(t, stage(run, 0.0, 0.0)), levels_(make_levels(t, frame_, stage(run, 0.0, 0.0))) {
-    if (std::is_same_v<Real, float>) std::vector<MeasureSum>().swap(t.measures);
+  Hierarchy(const Triangles& t, std::vector<MeasureSum>& measures, const Execution& run)
+      : triangles_(t.size()),
+        frame_(t, stage(run, 0.0, 0.0)),
+        levels_(make_levels(t, measures, frame_, stage(run, 0.0, 0.0))) {
+    if (std::is_same_v<Real, float>) std::vector<MeasureSum>().swap(measures);
     leaves_ = make_leaves<Real>(t, frame_, run);
   }
 
@@ -134,37 +132,8 @@ class Hierarchy {
     return total;
   }
 
-  void sum(const MeasuredTriangles& t, const kernels::TriangleView& triangles, const kernels::Table& table,
-           const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
-           const Execution& run, const BallSum::Sink& sink) const {
-    const TreeView<Real> tree = view(triangles);
-    const std::vector<SharedWalk> walks = shared_walks(radii, mean_area());
-    const std::vector<Index> order = spatial_order(centres, stage(run, 0.0, 0.0));
-    std::vector<WalkSpace<Real>> spaces;
-    spaces.reserve(static_cast<std::size_t>(thread_count(run)));
-    for (int i = 0; i < thread_count(run); ++i) spaces.emplace_back(t, leaves_.size(), walks, ball);
-    parallel_for(centres.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
-      WalkSpace<Real>& space = spaces[static_cast<std::size_t>(worker)];
-      space.sums.resize((end - begin) * radii.size());
-      // Walk by walk, so that what balls of one size need stays at hand.
-      for (std::size_t w = 0; w < walks.size(); ++w) {
-        for (std::size_t i = begin; i < end; ++i) {
-          if ((i - begin) % kTogether == 0) {
-            const Bounds around = bounds_of(centres, order, i, std::min(end, i + kTogether));
-            table.approach(tree.nodes, around.min.data(), around.max.data(), walks[w].radii.radii.back(),
-                           space.visits.start);
-          }
-          const BallMeasures* const got = space.balls[w].measure(
-              centres[order[i]], [&](const auto& query) { query_of<Real>(table)(tree, query, space.visits); });
-          for (std::size_t k = 0; k < walks[w].places.size(); ++k)
-            space.sums[(i - begin) * radii.size() + walks[w].places[k]] = got[k];
-        }
-      }
-      for (std::size_t i = begin; i < end; ++i) sink(order[i], &space.sums[(i - begin) * radii.size()]);
-    });
-  }
+  std::size_t leaves() const { return leaves_.size(); }
 
- private:
   TreeView<Real> view(const kernels::TriangleView& triangles) const {
     TreeView<Real> v{};
     v.triangles = triangles;
@@ -186,60 +155,175 @@ class Hierarchy {
     return all.area / static_cast<double>(std::max<std::size_t>(triangles_, 1));
   }
 
+ private:
   std::size_t triangles_;
   BoxFrame frame_;
   std::vector<LevelData> levels_;
   std::vector<Leaf<Real>> leaves_;
 };
 
+/// Sums over one tree for one call.
+template <class Real>
+class Summing {
+ public:
+  using Space = WalkSpace<Real>;
+
+  Summing(const Hierarchy<Real>& hierarchy, const kernels::TriangleView& triangles, const kernels::Table& table,
+          const std::vector<Vec3>& centres)
+      : tree_(hierarchy.view(triangles)), mean_area_(hierarchy.mean_area()), table_(table), centres_(centres) {}
+
+  /// Balls of the same radii around all centres, in `order`.
+  void sum_common(const BallRadii& radii, const std::vector<Index>& order,
+                  const std::function<Space(std::size_t)>& make, const Execution& run,
+                  const BallSum::Sink& sink) const {
+    const std::vector<SharedWalk> walks = shared_walks(SortedRadii(radii.of(0), radii.count()), mean_area_);
+    std::vector<Space> spaces = spaces_for(walks.size(), make, run);
+    for (Space& space : spaces) {
+      for (std::size_t w = 0; w < walks.size(); ++w) space.balls[w].use(walks[w].radii);
+    }
+    parallel_for(order.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
+      Space& space = spaces[static_cast<std::size_t>(worker)];
+      space.sums.resize((end - begin) * radii.count());
+      // Walk by walk, so that what balls of one size need stays at hand.
+      for (std::size_t w = 0; w < walks.size(); ++w) {
+        for (std::size_t i = begin; i < end; ++i) {
+          if ((i - begin) % kTogether == 0) approach(order, i, std::min(end, i + kTogether), walks[w], space);
+          walk(order[i], walks[w], space.balls[w], space, &space.sums[(i - begin) * radii.count()]);
+        }
+      }
+      for (std::size_t i = begin; i < end; ++i) sink(order[i], &space.sums[(i - begin) * radii.count()]);
+    });
+  }
+
+  /// Balls of own radii around each centre, in `order`.
+  void sum_own(const BallRadii& radii, const std::vector<Index>& order, const std::function<Space(std::size_t)>& make,
+               const Execution& run, const BallSum::Sink& sink) const {
+    std::vector<Space> spaces = spaces_for(1, make, run);
+    parallel_for(order.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int worker) {
+      Space& space = spaces[static_cast<std::size_t>(worker)];
+      for (std::size_t i = begin; i < end; ++i) {
+        space.sums.assign(radii.count(), {});
+        const std::vector<SharedWalk> walks = own_walks(radii.of(order[i]), radii.count());
+        for (const SharedWalk& w : walks) {
+          space.balls[0].use(w.radii);
+          approach(order, i, i + 1, w, space);
+          walk(order[i], w, space.balls[0], space, space.sums.data());
+        }
+        sink(order[i], space.sums.data());
+      }
+    });
+  }
+
+ private:
+  static std::vector<Space> spaces_for(std::size_t walks, const std::function<Space(std::size_t)>& make,
+                                       const Execution& run) {
+    std::vector<Space> spaces;
+    spaces.reserve(static_cast<std::size_t>(thread_count(run)));
+    for (int i = 0; i < thread_count(run); ++i) spaces.push_back(make(walks));
+    return spaces;
+  }
+
+  /// The walks of a centre for its radii other than 0.
+  std::vector<SharedWalk> own_walks(const double* radii, std::size_t count) const {
+    std::vector<std::size_t> places;
+    std::vector<double> positive;
+    for (std::size_t r = 0; r < count; ++r) {
+      if (radii[r] == 0) continue;
+      places.push_back(r);
+      positive.push_back(radii[r]);
+    }
+    std::vector<SharedWalk> walks = shared_walks(SortedRadii(positive), mean_area_);
+    for (SharedWalk& w : walks) {
+      for (std::size_t& place : w.places) place = places[place];
+    }
+    return walks;
+  }
+
+  /// Finds where the queries [begin, end) of an order start.
+  void approach(const std::vector<Index>& order, std::size_t begin, std::size_t end, const SharedWalk& walk,
+                Space& space) const {
+    const Bounds around = bounds_of(centres_, order, begin, end);
+    table_.approach(tree_.nodes, around.min.data(), around.max.data(), walk.radii.radii.back(), space.visits.start);
+  }
+
+  void walk(Index query, const SharedWalk& walk, BallWorkspace<Real>& balls, Space& space, BallMeasures* to) const {
+    const BallMeasures* const got =
+        balls.measure(centres_[query], [&](const auto& asked) { query_of<Real>(table_)(tree_, asked, space.visits); });
+    for (std::size_t k = 0; k < walk.places.size(); ++k) to[walk.places[k]] = got[k];
+  }
+
+  TreeView<Real> tree_;
+  double mean_area_;
+  const kernels::Table& table_;
+  const std::vector<Vec3>& centres_;
+};
+
 }  // namespace
 
 struct MeasureTree::Impl {
-  MeasuredTriangles triangles;
+  Triangles triangles;
+  std::vector<MeasureSum> measures;  ///< of the triangles; empty in fast
   const kernels::Table& table;
   std::unique_ptr<const Hierarchy<double>> in_double;
   std::unique_ptr<const Hierarchy<float>> in_float;
   kernels::TriangleView view;
 
-  Impl(MeasuredTriangles measured, Precision precision, const kernels::Table& kernels, const Execution& run)
-      : triangles(in_order(std::move(measured), kernels, run)), table(kernels) {
+  Impl(Triangles given, Precision precision, const kernels::Table& kernels, const Execution& run)
+      : triangles(in_order(std::move(given), stage(run, 0.0, 0.6))),
+        measures(measure_triangles(triangles, kernels, stage(run, 0.6, 0.7))),
+        table(kernels) {
     const Execution last = stage(run, 0.7, 1.0);
     if (precision == Precision::Double) {
-      in_double = std::make_unique<Hierarchy<double>>(triangles, last);
+      in_double = std::make_unique<Hierarchy<double>>(triangles, measures, last);
     } else {
-      in_float = std::make_unique<Hierarchy<float>>(triangles, last);
+      in_float = std::make_unique<Hierarchy<float>>(triangles, measures, last);
     }
-    view = view_of(triangles);
+    view = view_of(triangles, measures);
+  }
+
+  template <class Real>
+  void sum(const Hierarchy<Real>& tree, const std::vector<Vec3>& centres, const BallRadii& radii, BallDefinition ball,
+           const Execution& run, const Sink& sink) const {
+    const Summing<Real> summing(tree, view, table, centres);
+    const std::vector<Index> order = spatial_order(centres, stage(run, 0.0, 0.0));
+    const auto make = [&](std::size_t walks) {
+      return WalkSpace<Real>(triangles, measures, tree.leaves(), walks, ball, radii.count() > 1);
+    };
+    if (radii.are_common()) {
+      summing.sum_common(radii, order, make, run, sink);
+    } else {
+      summing.sum_own(radii, order, make, run, sink);
+    }
   }
 };
 
-MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision, const Execution& run)
+MeasureTree::MeasureTree(Triangles triangles, Precision precision, const Execution& run)
     : MeasureTree(std::move(triangles), precision, kernels::best_table(), run) {}
 
-MeasureTree::MeasureTree(MeasuredTriangles triangles, Precision precision, const kernels::Table& table,
-                         const Execution& run)
+MeasureTree::MeasureTree(Triangles triangles, Precision precision, const kernels::Table& table, const Execution& run)
     : impl_(std::make_unique<Impl>(std::move(triangles), precision, table, run)) {}
 
 MeasureTree::~MeasureTree() = default;
 
-const MeasuredTriangles& MeasureTree::triangles() const {
+const Triangles& MeasureTree::triangles() const {
   return impl_->triangles;
 }
 
-std::size_t MeasureTree::bytes() const {
-  return impl_->in_double ? impl_->in_double->bytes() : impl_->in_float->bytes();
+MeasureSum MeasureTree::measures_of(std::size_t triangle) const {
+  return impl_->measures.empty() ? kappa::measures_of(impl_->triangles, triangle) : impl_->measures[triangle];
 }
 
-void MeasureTree::do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
+std::size_t MeasureTree::bytes() const {
+  const std::size_t measures = impl_->measures.capacity() * sizeof(MeasureSum);
+  return measures + (impl_->in_double ? impl_->in_double->bytes() : impl_->in_float->bytes());
+}
+
+void MeasureTree::do_sum(const std::vector<Vec3>& centres, const BallRadii& radii, BallDefinition ball,
                          const Execution& run, const Sink& sink) const {
-  if (radii.empty()) return;
-  const auto sum = [&](const auto& tree) {
-    tree.sum(impl_->triangles, impl_->view, impl_->table, centres, radii, ball, run, sink);
-  };
   if (impl_->in_double) {
-    sum(*impl_->in_double);
+    impl_->sum(*impl_->in_double, centres, radii, ball, run, sink);
   } else {
-    sum(*impl_->in_float);
+    impl_->sum(*impl_->in_float, centres, radii, ball, run, sink);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "balls/kernels/views.hpp"
 #include "core/large_array.hpp"
 #include "core/parallel_bounds.hpp"
-#include "kappa/balls/ball_sum.hpp"
+#include "kappa/balls/triangles.hpp"
 #include "kappa/core/bounds.hpp"
 
 // Boxes, sums and leaves of a measure tree over triangles in its order.
@@ -22,7 +22,7 @@ struct BoxFrame {
   double unit = 1;
 
   BoxFrame() = default;
-  BoxFrame(const MeasuredTriangles& t, const Execution& run) {
+  BoxFrame(const Triangles& t, const Execution& run) {
     const Bounds b = parallel_bounds(t.size(), run, [&](std::size_t i, Bounds& part) {
       for (const Index v : t.corners[i]) {
         part.min = part.min.cwiseMin(t.x[v]);
@@ -72,7 +72,7 @@ struct LevelData {
 };
 
 /// Bounds of the corners of a leaf's triangles.
-inline Bounds bounds_of_leaf(const MeasuredTriangles& t, std::size_t leaf) {
+inline Bounds bounds_of_leaf(const Triangles& t, std::size_t leaf) {
   Bounds b;
   for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i) {
     for (const Index v : t.corners[i]) {
@@ -85,12 +85,13 @@ inline Bounds bounds_of_leaf(const MeasuredTriangles& t, std::size_t leaf) {
 
 inline constexpr std::size_t kNodes = 512;  ///< that a thread makes at a time, whole blocks of boxes
 
-inline LevelData leaf_level(const MeasuredTriangles& t, const BoxFrame& frame, const Execution& run) {
+inline LevelData leaf_level(const Triangles& t, const std::vector<MeasureSum>& measures, const BoxFrame& frame,
+                            const Execution& run) {
   LevelData level((t.size() + kernels::kWidth - 1) / kernels::kWidth, run);
   parallel_for(level.sums.size(), kNodes, run, [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
       for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i)
-        level.sums[leaf] += t.measures[i];
+        level.sums[leaf] += measures[i];
       const Bounds b = bounds_of_leaf(t, leaf);
       const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
       for (int axis = 0; axis < 3; ++axis) level.extend(leaf, axis, rounded_down(lo[axis]), rounded_up(hi[axis]));
@@ -110,16 +111,17 @@ inline LevelData parent_level(const LevelData& below, const Execution& run) {
   return level;
 }
 
-inline std::vector<LevelData> make_levels(const MeasuredTriangles& t, const BoxFrame& frame, const Execution& run) {
+inline std::vector<LevelData> make_levels(const Triangles& t, const std::vector<MeasureSum>& measures,
+                                          const BoxFrame& frame, const Execution& run) {
   std::vector<LevelData> levels;
   if (t.size() == 0) return levels;
-  levels.push_back(leaf_level(t, frame, run));
+  levels.push_back(leaf_level(t, measures, frame, run));
   while (levels.back().boxes.size() > 1) levels.push_back(parent_level(levels.back(), run));
   return levels;
 }
 
 /// Squared length of the longest edge of a leaf's triangles.
-inline double longest_edge_sq(const MeasuredTriangles& t, std::size_t leaf) {
+inline double longest_edge_sq(const Triangles& t, std::size_t leaf) {
   double longest_sq = 0;
   for (std::size_t i = kernels::kWidth * leaf; i < std::min(t.size(), kernels::kWidth * (leaf + 1)); ++i) {
     const auto& c = t.corners[i];
@@ -131,13 +133,13 @@ inline double longest_edge_sq(const MeasuredTriangles& t, std::size_t leaf) {
 
 /// Calls `use(lane, corners)` for the triangles of a leaf.
 template <class Use>
-void for_triangles(const MeasuredTriangles& t, std::size_t leaf, const Use& use) {
+void for_triangles(const Triangles& t, std::size_t leaf, const Use& use) {
   const std::size_t first = kernels::kWidth * leaf, count = std::min<std::size_t>(kernels::kWidth, t.size() - first);
   for (std::size_t lane = 0; lane < count; ++lane) use(lane, t.corners[first + lane]);
 }
 
 /// The steps reach from the middle of the leaf to its farthest side; they are not so small that squares overflow.
-inline void fill(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, kernels::Leaf<double>& leaf) {
+inline void fill(const Triangles& t, std::size_t number, const BoxFrame& frame, kernels::Leaf<double>& leaf) {
   constexpr double kSteps = 32767, kMostAUnit = 1e12;
   const Bounds b = bounds_of_leaf(t, number);
   const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max), origin = (lo + hi) / 2;
@@ -168,7 +170,7 @@ inline void put(const Vec3& v, float (&rows)[3][kernels::kWidth], std::size_t la
   for (int axis = 0; axis < 3; ++axis) rows[axis][lane] = static_cast<float>(v[axis]);
 }
 
-inline Vec3 mean_normal(const MeasuredTriangles& t, std::size_t leaf) {
+inline Vec3 mean_normal(const Triangles& t, std::size_t leaf) {
   Vec3 sum = Vec3::Zero();
   double count = 0;
   for_triangles(t, leaf, [&](std::size_t, const auto& corners) {
@@ -178,7 +180,7 @@ inline Vec3 mean_normal(const MeasuredTriangles& t, std::size_t leaf) {
   return sum / count;
 }
 
-inline void fill(const MeasuredTriangles& t, std::size_t number, const BoxFrame& frame, kernels::Leaf<float>& leaf) {
+inline void fill(const Triangles& t, std::size_t number, const BoxFrame& frame, kernels::Leaf<float>& leaf) {
   constexpr double kRounding = 1e-5;  // of the squared distances of corners from balls smaller than the leaf
   const Bounds b = bounds_of_leaf(t, number);
   const Vec3 lo = frame.placed(b.min), hi = frame.placed(b.max);
@@ -203,7 +205,7 @@ inline void fill(const MeasuredTriangles& t, std::size_t number, const BoxFrame&
 
 /// Rows that are not filled are 0.
 template <class Real>
-std::vector<kernels::Leaf<Real>> make_leaves(const MeasuredTriangles& t, const BoxFrame& frame, const Execution& run) {
+std::vector<kernels::Leaf<Real>> make_leaves(const Triangles& t, const BoxFrame& frame, const Execution& run) {
   const std::size_t count = (t.size() + kernels::kWidth - 1) / kernels::kWidth;
   auto leaves = large_vector(count, kernels::Leaf<Real>(), run);
   parallel_for(leaves.size(), kNodes, run, [&](std::size_t begin, std::size_t end, int) {

@@ -22,12 +22,12 @@ struct Centroid {
   Index triangle;
 };
 
-Vec3 centroid(const MeasuredTriangles& t, std::size_t i) {
+Vec3 centroid(const Triangles& t, std::size_t i) {
   const auto& c = t.corners[i];
   return t.x[c[0]] / 3 + t.x[c[1]] / 3 + t.x[c[2]] / 3;
 }
 
-std::vector<Centroid> unit_centroids(const MeasuredTriangles& t, const Execution& run) {
+std::vector<Centroid> unit_centroids(const Triangles& t, const Execution& run) {
   const Bounds bounds = parallel_bounds(t.size(), run, [&](std::size_t i, Bounds& b) {
     const Vec3 x = centroid(t, i);
     b.min = b.min.cwiseMin(x);
@@ -111,7 +111,7 @@ void split(const Part& whole, const Execution& run) {
 
 }  // namespace
 
-std::vector<Index> tree_order(const MeasuredTriangles& triangles, const Execution& run) {
+std::vector<Index> tree_order(const Triangles& triangles, const Execution& run) {
   std::vector<Centroid> centroids = unit_centroids(triangles, run);
   std::size_t capacity = 1;
   while (capacity < centroids.size()) capacity *= 2;

@@ -5,15 +5,11 @@
 #include <numeric>
 #include <string>
 
-#include "ball_workspace.hpp"
 #include "core/large_array.hpp"
-#include "kappa/core/error.hpp"
+#include "kappa/core/checks.hpp"
 
 namespace kappa {
 namespace {
-
-constexpr std::size_t kBlock = 2048;
-constexpr std::size_t kAtHand = 256;  ///< measures that stay in the nearest cache
 
 bool usable(const Vec3& u) {
   return is_finite(u) && !u.isZero(0);
@@ -31,7 +27,7 @@ bool usable_face(const std::vector<char>& vertices, const Faces::View& face) {
 }
 
 /// Adds the barycentre of a polygon and the fan of triangles around it.
-void add_fan(MeasuredTriangles& t, const Faces::View& face) {
+void add_fan(Triangles& t, const Faces::View& face) {
   std::vector<Vec3> x, u;
   for (const Index v : face) {
     x.push_back(t.x[v]);
@@ -43,7 +39,7 @@ void add_fan(MeasuredTriangles& t, const Faces::View& face) {
   for (std::size_t i = 0; i < face.size(); ++i) t.corners.push_back({face[i], face[(i + 1) % face.size()], barycentre});
 }
 
-void add_face(MeasuredTriangles& t, const Mesh& mesh, std::size_t f) {
+void add_face(Triangles& t, const Mesh& mesh, std::size_t f) {
   const Faces::View face = mesh.faces[f];
   if (face.size() == 3) {
     t.corners.push_back({face[0], face[1], face[2]});
@@ -57,7 +53,7 @@ void add_face(MeasuredTriangles& t, const Mesh& mesh, std::size_t f) {
 }
 
 /// Returns whether all of them have a position and a normal.
-bool take_vertices(MeasuredTriangles& t, const Mesh& mesh, const Normals& normals) {
+bool take_vertices(Triangles& t, const Mesh& mesh, const Normals& normals) {
   t.vertices = mesh.vertices.size();
   reserve_large(t.x, t.vertices);
   reserve_large(t.u, t.vertices);
@@ -71,15 +67,8 @@ bool take_vertices(MeasuredTriangles& t, const Mesh& mesh, const Normals& normal
   return all;
 }
 
-/// Calls `grow(begin, end)` for what fits in the nearest cache after the other: arrays that are cleared as they grow,
-/// and then written, are passed over once.
-template <class Grow>
-void grow_at_hand(std::size_t count, const Grow& grow) {
-  for (std::size_t begin = 0; begin < count; begin += kAtHand) grow(begin, std::min(begin + kAtHand, count));
-}
-
 /// Faces that are all triangles and all to be measured.
-void take_all(MeasuredTriangles& t, const Mesh& mesh) {
+void take_all(Triangles& t, const Mesh& mesh) {
   const std::size_t count = mesh.faces.size();
   const Index* const corners = mesh.faces.corners().data();
   for (std::size_t f = 0; f < count; ++f) t.corners.push_back({corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]});
@@ -88,7 +77,7 @@ void take_all(MeasuredTriangles& t, const Mesh& mesh) {
   t.weights.assign(mesh.weights.begin(), mesh.weights.end());
 }
 
-void take_usable(MeasuredTriangles& t, const Mesh& mesh) {
+void take_usable(Triangles& t, const Mesh& mesh) {
   const std::vector<char> vertices = usable_vertices(mesh, t.u);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (usable_face(vertices, mesh.faces[f])) {
@@ -100,7 +89,7 @@ void take_usable(MeasuredTriangles& t, const Mesh& mesh) {
 }
 
 /// Of a valid mesh, whose faces have three corners at least.
-void take_faces(MeasuredTriangles& t, const Mesh& mesh, bool all_vertices_usable) {
+void take_faces(Triangles& t, const Mesh& mesh, bool all_vertices_usable) {
   reserve_large(t.corners, mesh.faces.size());
   reserve_large(t.weights, mesh.weights.size());
   reserve_large(t.faces, mesh.faces.size());
@@ -112,65 +101,47 @@ void take_faces(MeasuredTriangles& t, const Mesh& mesh, bool all_vertices_usable
   }
 }
 
-}  // namespace
-
-void measure_all(MeasuredTriangles& t, const kernels::Table& table, const Execution& run) {
-  if (t.size() == 0) return;
-  const kernels::TriangleView view = view_of(t);
-  const auto measure = [&](std::size_t begin, std::size_t end) {
-    table.measure(view, begin, end, &t.measures[0].area);
-  };
-  if (thread_count(run) > 1 || !t.measures.empty()) {
-    if (t.measures.empty()) t.measures = large_vector(t.size(), MeasureSum(), run);
-    parallel_for(t.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { measure(begin, end); });
-    return;
-  }
-  reserve_large(t.measures, t.size());
-  grow_at_hand(t.size(), [&](std::size_t begin, std::size_t end) {
-    check_cancelled(run);
-    t.measures.resize(end);
-    measure(begin, end);
-  });
-}
-
-namespace {
-
-/// The four parts of a quad get what its bilinear patch has over them, by area: whole quads then have the bilinear
-/// measures, and a part of one differs from its bilinear part by less than the two forms of the quad do.
-void spread_bilinear(MeasuredTriangles& t, std::size_t first) {
+/// The four parts of a quad, from `first` on, get what its bilinear patch has over them, by area: whole quads then have
+/// the bilinear measures, and a part of one differs from its bilinear part by less than the two forms of the quad do.
+void spread_bilinear(Triangles& t, const std::vector<MeasureSum>& measures, std::size_t first) {
   const Index a = t.corners[first][0], b = t.corners[first + 1][0];
   const Index c = t.corners[first + 2][0], d = t.corners[first + 3][0];
   MeasureSum rest = compact(bilinear_measures({t.x[a], t.x[b], t.x[d], t.x[c]}, {t.u[a], t.u[b], t.u[d], t.u[c]}));
   rest *= t.weight(first);
   MeasureSum split;
-  for (std::size_t i = first; i < first + 4; ++i) split += t.measures[i];
+  for (std::size_t i = first; i < first + 4; ++i) split += measures[i];
   const double area = split.area;
   split *= -1.0;
   rest += split;
   rest.area = 0;
   for (std::size_t i = first; i < first + 4; ++i) {
-    MeasureSum part = rest;
-    part *= area > 0 ? t.measures[i].area / area : 0.25;
-    t.measures[i] += part;
-    t.beside[i] = part;
+    t.beside[i] = rest;
+    t.beside[i] *= area > 0 ? measures[i].area / area : 0.25;
   }
 }
 
-/// Without measures.
-MeasuredTriangles triangles_of(const Mesh& mesh, const Normals& normals) {
-  validate(mesh);
-  if (normals.size() != mesh.vertices.size())
-    throw Error(ErrorCode::InvalidArgument, std::to_string(normals.size()) + " normals for " +
-                                                std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
-  MeasuredTriangles t;
-  take_faces(t, mesh, take_vertices(t, mesh, normals));
-  return t;
+void make_quads_bilinear(Triangles& t, const Mesh& mesh, const Execution& run) {
+  const std::vector<MeasureSum> measures = measure_triangles(t, run);
+  t.beside.resize(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const bool first = i == 0 || t.faces[i] != t.faces[i - 1];
+    if (first && mesh.faces[t.faces[i]].size() == 4) spread_bilinear(t, measures, i);
+  }
 }
 
 }  // namespace
 
-MeasureSum measures_of(const MeasuredTriangles& triangles, std::size_t t) {
-  if (!triangles.measures.empty()) return triangles.measures[t];
+Triangles triangles_of(const Mesh& mesh, const Normals& normals, QuadMeasures quads, const Execution& run) {
+  validate(mesh);
+  check_one_each(normals.size(), "normal", mesh.vertices.size(), "vertex");
+  check_cancelled(run);
+  Triangles t;
+  take_faces(t, mesh, take_vertices(t, mesh, normals));
+  if (quads == QuadMeasures::Bilinear) make_quads_bilinear(t, mesh, run);
+  return t;
+}
+
+MeasureSum measures_of(const Triangles& triangles, std::size_t t) {
   const auto& c = triangles.corners[t];
   const Vec3 &x0 = triangles.x[c[0]], &u0 = triangles.u[c[0]], &u1 = triangles.u[c[1]], &u2 = triangles.u[c[2]];
   MeasureSum m =
@@ -180,30 +151,11 @@ MeasureSum measures_of(const MeasuredTriangles& triangles, std::size_t t) {
   return m;
 }
 
-std::vector<Index> parts_of_faces(const MeasuredTriangles& triangles) {
+std::vector<Index> parts_of_faces(const Triangles& triangles) {
   const auto last = std::max_element(triangles.faces.begin(), triangles.faces.end());
   std::vector<Index> parts(last == triangles.faces.end() ? 0 : *last + std::size_t{1});
   for (const Index face : triangles.faces) ++parts[face];
   return parts;
-}
-
-MeasuredTriangles triangles_for_tree(const Mesh& mesh, const Normals& normals, QuadMeasures quads,
-                                     const Execution& run) {
-  return quads == QuadMeasures::Split ? triangles_of(mesh, normals) : measure_triangles(mesh, normals, quads, run);
-}
-
-MeasuredTriangles measure_triangles(const Mesh& mesh, const Normals& normals, QuadMeasures quads,
-                                    const Execution& run) {
-  MeasuredTriangles t = triangles_of(mesh, normals);
-  measure_all(t, kernels::best_table(), run);
-  if (quads == QuadMeasures::Bilinear) {
-    t.beside.resize(t.size());
-    for (std::size_t i = 0; i < t.size(); ++i) {
-      const bool first = i == 0 || t.faces[i] != t.faces[i - 1];
-      if (first && mesh.faces[t.faces[i]].size() == 4) spread_bilinear(t, i);
-    }
-  }
-  return t;
 }
 
 }  // namespace kappa

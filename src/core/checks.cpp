@@ -8,8 +8,12 @@ namespace {
 
 /// "vertices" for "vertex", "normals" for "normal".
 std::string plural(const std::string& noun) {
-  const bool is_vertex = noun.size() >= 6 && noun.compare(noun.size() - 6, 6, "vertex") == 0;
-  return is_vertex ? noun.substr(0, noun.size() - 2) + "ices" : noun + "s";
+  const auto ends_with = [&](const std::string& end) {
+    return noun.size() >= end.size() && noun.compare(noun.size() - end.size(), end.size(), end) == 0;
+  };
+  if (ends_with("vertex")) return noun.substr(0, noun.size() - 2) + "ices";
+  if (ends_with("radius")) return noun.substr(0, noun.size() - 2) + "i";
+  return noun + "s";
 }
 
 }  // namespace

@@ -14,13 +14,16 @@ namespace {
 /// so. Where stars of a cloud disagree a third of an edge may be amiss.
 constexpr double kOpen = 0.15;
 
-std::vector<char> border_vertices(const MeasuredTriangles& t) {
+constexpr std::size_t kMany = 65536;  ///< triangles between two looks at whether to stop
+
+std::vector<char> border_vertices(const Triangles& t, const Execution& run) {
   struct Loop {
     Vec3 gap = Vec3::Zero();
     double length = 0;
   };
   std::vector<Loop> loops(t.x.size());
   for (std::size_t i = 0; i < t.size(); ++i) {
+    if (i % kMany == 0) check_cancelled(run);
     const auto& c = t.corners[i];
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 opposite = t.weight(i) * (t.x[c[(k + 2) % 3]] - t.x[c[(k + 1) % 3]]);
@@ -42,8 +45,7 @@ struct Side {
   bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
-void add_sides(const MeasuredTriangles& t, std::size_t i, const std::vector<char>& at_border,
-               std::vector<Side>& sides) {
+void add_sides(const Triangles& t, std::size_t i, const std::vector<char>& at_border, std::vector<Side>& sides) {
   const auto& c = t.corners[i];
   for (std::size_t k = 0; k < 3; ++k) {
     const Index a = c[k], b = c[(k + 1) % 3];
@@ -56,10 +58,13 @@ void add_sides(const MeasuredTriangles& t, std::size_t i, const std::vector<char
   }
 }
 
-std::vector<Side> sides_at_border(const MeasuredTriangles& t) {
-  const std::vector<char> at_border = border_vertices(t);
+std::vector<Side> sides_at_border(const Triangles& t, const Execution& run) {
+  const std::vector<char> at_border = border_vertices(t, run);
   std::vector<Side> sides;
-  for (std::size_t i = 0; i < t.size(); ++i) add_sides(t, i, at_border, sides);
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (i % kMany == 0) check_cancelled(run);
+    add_sides(t, i, at_border, sides);
+  }
   std::stable_sort(sides.begin(), sides.end(),
                    [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   return sides;
@@ -90,15 +95,15 @@ std::vector<Bounds> boxes_of(const std::vector<BorderEdge>& edges) {
 
 /// The patches of refined faces have points along common edges of their own, so that each looks like an island. Of the
 /// parts of a polygon one corner alone is none of the mesh.
-bool is_refined(const MeasuredTriangles& t) {
+bool is_refined(const Triangles& t) {
   return std::any_of(t.corners.begin(), t.corners.end(), [&](const std::array<Index, 3>& c) {
     return std::count_if(c.begin(), c.end(), [&](Index i) { return i >= t.vertices; }) > 1;
   });
 }
 
-std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles) {
+std::vector<BorderEdge> border_edges(const Triangles& triangles, const Execution& run) {
   if (is_refined(triangles)) return {};
-  const std::vector<Side> sides = sides_at_border(triangles);
+  const std::vector<Side> sides = sides_at_border(triangles, run);
   const auto heaviest = std::max_element(triangles.weights.begin(), triangles.weights.end());
   const double least = 0.5 * (heaviest == triangles.weights.end() ? 1.0 : *heaviest);
   std::vector<BorderEdge> edges;
@@ -115,7 +120,8 @@ std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles) {
   return edges;
 }
 
-Border::Border(const MeasuredTriangles& triangles) : edges_(border_edges(triangles)), tree_(boxes_of(edges_)) {}
+Border::Border(const Triangles& triangles, const Execution& run)
+    : edges_(border_edges(triangles, run)), tree_(boxes_of(edges_)) {}
 
 bool Border::is_near(const Vec3& x, double distance) const {
   return tree_.find(x, distance, [](Index) { return true; });

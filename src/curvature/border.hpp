@@ -17,15 +17,15 @@ struct BorderEdge {
 /// The edges of a surface, of whatever weights and topology, at which it ends. Edges in between, where the weights of
 /// the faces on both sides balance, are none; nor are the small imbalances that the faces of a cloud have, whose stars
 /// disagree. Surfaces of refined faces tell none.
-std::vector<BorderEdge> border_edges(const MeasuredTriangles& triangles);
+std::vector<BorderEdge> border_edges(const Triangles& triangles, const Execution& run);
 
-/// Whether the triangles are those of `measure_refined`.
-bool is_refined(const MeasuredTriangles& triangles);
+/// Whether the triangles are those of `refined_triangles`.
+bool is_refined(const Triangles& triangles);
 
 /// Tells where the part of a surface in a ball lies.
 class Border {
  public:
-  explicit Border(const MeasuredTriangles& triangles);
+  Border(const Triangles& triangles, const Execution& run);
 
   /// False for a closed surface.
   bool exists() const { return !edges_.empty(); }

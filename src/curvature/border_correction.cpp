@@ -111,13 +111,13 @@ BorderCorrection::Values BorderCorrection::values_at(const CurvatureRatios& rati
   return v;
 }
 
-BorderCorrection::BorderCorrection(const MeasuredTriangles& triangles, const std::vector<Vec3>& centres,
-                                   const Normals& u, const std::vector<double>& radii, int order, const Execution& run)
-    : centres_(centres), u_(u), order_(order), border_(triangles) {
+BorderCorrection::BorderCorrection(const Triangles& triangles, const std::vector<Vec3>& centres, const Normals& u,
+                                   const std::vector<double>& radii, int order, const Execution& run)
+    : centres_(centres), u_(u), order_(order), border_(triangles, stage(run, 0.0, 0.5)) {
   if (!border_.exists()) return;
   for (const double radius : radii) radii_.push_back(order_radii(radius, order));
   const std::vector<double>& largest = *std::max_element(radii_.begin(), radii_.end());
-  find_near(largest.front() + kWiden * kWindow * largest.back(), run);
+  find_near(largest.front() + kWiden * kWindow * largest.back(), stage(run, 0.5, 1.0));
   estimates_.assign(radii.size(), std::vector<Estimate>(near_.size()));
 }
 
@@ -137,10 +137,10 @@ void BorderCorrection::find_near(double reach, const Execution& run) {
     boxes.push_back({centres_[i], centres_[i]});
   }
   const BoxTree all(boxes);
-  for (const std::vector<double>& balls : radii_) nodes_.push_back(nodes_for(kWindow * balls.back(), all));
+  for (const std::vector<double>& balls : radii_) nodes_.push_back(nodes_for(kWindow * balls.back(), all, run));
 }
 
-BorderCorrection::Nodes BorderCorrection::nodes_for(double window, const BoxTree& all) const {
+BorderCorrection::Nodes BorderCorrection::nodes_for(double window, const BoxTree& all, const Execution& run) const {
   constexpr std::size_t kProbes = 100;
   std::vector<double> counts;
   for (std::size_t i = 0; i < near_.size(); i += 1 + near_.size() / kProbes) {
@@ -150,7 +150,7 @@ BorderCorrection::Nodes BorderCorrection::nodes_for(double window, const BoxTree
   const std::size_t apart = std::max(std::size_t{1}, static_cast<std::size_t>(percentile(counts, 50)) / kMany);
   std::vector<Vec3> x;
   for (const Index i : near_) x.push_back(centres_[i]);
-  const std::vector<Index> order = spatial_order(x);
+  const std::vector<Index> order = spatial_order(x, stage(run, 1.0, 1.0));
   Nodes nodes;
   std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < order.size(); i += apart) {

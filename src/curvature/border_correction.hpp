@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "border.hpp"
+#include "kappa/balls/ball_sum.hpp"
 #include "kappa/core/execution.hpp"
-#include "kappa/curvature/estimate.hpp"
+#include "kappa/curvature/field.hpp"
 
 namespace kappa {
 
@@ -22,7 +23,7 @@ class BorderCorrection {
  public:
   /// `centres`, with normals `u`, are those that are measured, at `radii` (the largest of each order); both are kept by
   /// reference.
-  BorderCorrection(const MeasuredTriangles& triangles, const std::vector<Vec3>& centres, const Normals& u,
+  BorderCorrection(const Triangles& triangles, const std::vector<Vec3>& centres, const Normals& u,
                    const std::vector<double>& radii, int order, const Execution& run);
 
   /// False if no ball reaches over a border.
@@ -64,7 +65,7 @@ class BorderCorrection {
     BoxTree tree{{}};
   };
   void find_near(double reach, const Execution& run);
-  Nodes nodes_for(double window, const BoxTree& all) const;
+  Nodes nodes_for(double window, const BoxTree& all, const Execution& run) const;
   Fit fit(std::size_t r, std::size_t place) const;
   double window_around(std::size_t r, std::size_t place) const;
   void correct(std::size_t r, std::size_t place, CurvatureSample& sample) const;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kappa/balls/ball_sum.hpp"
-#include "kappa/curvature/estimate.hpp"
+#include "kappa/curvature/field.hpp"
 
 namespace kappa {
 

@@ -9,6 +9,7 @@
 
 #include "curvature_sample.hpp"
 #include "kappa/core/bounds.hpp"
+#include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/core/orders.hpp"
 #include "scale_ladder.hpp"
@@ -257,16 +258,15 @@ std::vector<CurvatureSample> measure_choices(const BallSum& balls, const Points&
 
 CurvatureField estimate_at_own_scale(const BallSum& balls, const Normals& u, BallDefinition ball,
                                      const Execution& run) {
-  const MeasuredTriangles& t = balls.triangles();
-  if (u.size() != t.vertices)
-    throw Error(ErrorCode::InvalidArgument, std::to_string(u.size()) + " normals for " + std::to_string(t.vertices) +
-                                                " vertices: give one a vertex");
-  Surroundings around = surroundings(t);
+  const Triangles& t = balls.triangles();
+  check_one_each(u.size(), "normal", t.vertices, "vertex");
+  const Execution first = stage(run, 0, 0);
+  Surroundings around = surroundings(balls, first);
   if (!(around.typical_spacing > 0))
     throw Error(ErrorCode::InvalidData, "no face has an area, so no scale can be chosen; give a radius");
   const Points points = points_of(t, u, around);
-  const auto levels =
-      thin(std::move(around.neighbours), [&](std::size_t i) { return usable(points.x[i], points.u[i]); });
+  const auto levels = thin(
+      std::move(around.neighbours), [&](std::size_t i) { return usable(points.x[i], points.u[i]); }, first);
   Ladder ladder(rungs_between(kFinest * points.typical_spacing, bounds(points.x).diagonal() / 2), levels, points);
   const std::vector<Choice> choices = choose(balls, ladder, ball, stage(run, 0, 0.7));
   return {kNaN, measure_choices(balls, points, choices, ladder.radii(), ball, stage(run, 0.7, 1)), 0};

@@ -19,6 +19,7 @@ constexpr double kPassesOfSpacing = 2.5, kApart = 0.5;
 constexpr double kLeastPasses = 24;
 /// Least radius in spacings of the centre: a narrower ball sees one star, and no noise.
 constexpr double kLeastSpacings = 0.7;
+constexpr std::size_t kMany = 65536;  ///< triangles between two looks at whether to stop
 constexpr Ratios kNone = {kNaN, kNaN, kNaN, kNaN};
 
 struct FaceVertex {
@@ -29,7 +30,7 @@ struct FaceVertex {
 };
 
 /// The vertices of the faces of the mesh, sorted; the triangles may stand in any order.
-std::vector<FaceVertex> face_vertices(const MeasuredTriangles& t, const std::vector<Index>& parts) {
+std::vector<FaceVertex> face_vertices(const Triangles& t, const std::vector<Index>& parts) {
   std::vector<FaceVertex> all;
   for (std::size_t i = 0; i < t.size(); ++i) {
     const Index face = t.faces[i];
@@ -44,10 +45,14 @@ std::vector<FaceVertex> face_vertices(const MeasuredTriangles& t, const std::vec
 
 }  // namespace
 
-Surroundings surroundings(const MeasuredTriangles& t) {
+Surroundings surroundings(const BallSum& balls, const Execution& run) {
+  const Triangles& t = balls.triangles();
   const std::vector<Index> parts = parts_of_faces(t);
   std::vector<double> face_areas(parts.size()), areas(t.vertices);
-  for (std::size_t i = 0; i < t.size(); ++i) face_areas[t.faces[i]] += measures_of(t, i).area;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (i % kMany == 0) check_cancelled(run);
+    face_areas[t.faces[i]] += balls.measures_of(i).area;
+  }
   const std::vector<FaceVertex> of_faces = face_vertices(t, parts);
   Mesh graph;
   graph.vertices.resize(t.vertices);
@@ -69,7 +74,7 @@ Surroundings surroundings(const MeasuredTriangles& t) {
   return s;
 }
 
-Points points_of(const MeasuredTriangles& t, const Normals& u, const Surroundings& around) {
+Points points_of(const Triangles& t, const Normals& u, const Surroundings& around) {
   Points p{{}, u, around.spacing, around.typical_spacing};
   p.x.assign(t.x.begin(), t.x.begin() + static_cast<std::ptrdiff_t>(t.vertices));
   for (double& spacing : p.spacing) {

@@ -20,7 +20,7 @@ struct Surroundings {
   double typical_spacing = kNaN;
 };
 
-Surroundings surroundings(const MeasuredTriangles& t);
+Surroundings surroundings(const BallSum& balls, const Execution& run);
 
 /// Points whose scales are chosen.
 struct Points {
@@ -32,7 +32,7 @@ struct Points {
   std::size_t size() const { return x.size(); }
 };
 
-Points points_of(const MeasuredTriangles& t, const Normals& u, const Surroundings& around);
+Points points_of(const Triangles& t, const Normals& u, const Surroundings& around);
 
 /// What the scale is chosen by: the second form (11, 12, 22) and the mean; NaN where a ball gives none.
 using Ratios = std::array<double, 4>;

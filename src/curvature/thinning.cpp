@@ -63,10 +63,12 @@ ThinnedGraph thinned(const ThinnedGraph& fine, const std::function<bool(std::siz
 
 }  // namespace
 
-std::vector<ThinnedGraph> thin(Adjacency neighbours, const std::function<bool(std::size_t)>& preferred) {
+std::vector<ThinnedGraph> thin(Adjacency neighbours, const std::function<bool(std::size_t)>& preferred,
+                               const Execution& run) {
   std::vector<ThinnedGraph> levels;
   levels.push_back(whole(std::move(neighbours)));
   for (;;) {
+    check_cancelled(run);
     ThinnedGraph next = thinned(levels.back(), preferred);
     if (3 * next.size() > 2 * levels.back().size()) return levels;
     levels.push_back(std::move(next));

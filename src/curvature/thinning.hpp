@@ -24,7 +24,8 @@ struct ThinnedGraph {
 /// The whole graph, then ever fewer of its points while a level has at most 2/3 of those below: a point is kept unless
 /// it is next to one that is, and stands for the neighbours that none before it took. Points that `preferred` holds for
 /// are looked at first. What is kept depends on the graph alone, not on where its points are.
-std::vector<ThinnedGraph> thin(Adjacency neighbours, const std::function<bool(std::size_t)>& preferred);
+std::vector<ThinnedGraph> thin(Adjacency neighbours, const std::function<bool(std::size_t)>& preferred,
+                               const Execution& run);
 
 /// Replaces every value by the mean of those of its point and of the neighbours, `passes` times. NaN stay and do not
 /// count.

@@ -5,6 +5,7 @@
 
 #include "kappa/core/error.hpp"
 #include "kappa/core/percentiles.hpp"
+#include "kappa/curvature/in_balls.hpp"
 #include "kappa/segment/regions.hpp"
 
 namespace kappa {
@@ -60,11 +61,8 @@ double estimate_threshold(const BallSum& balls, const std::vector<Vec3>& centres
   const std::size_t step = std::max<std::size_t>(1, centres.size() / kSample);
   const double other = field.radius > 0 ? field.radius / 2 : spacing;
   const CurvatureField own{field.radius, every(step, field.samples), field.order};
-  CurvatureOptions finer;
-  finer.radii = {other};
-  finer.order = field.order;
-  finer.ball = ball;
-  const std::vector<CurvatureField> fine = estimate_curvatures(balls, every(step, centres), every(step, u), finer, run);
+  const BallPlan finer{{other}, field.order, ball};
+  const std::vector<CurvatureField> fine = curvatures_in_balls(balls, every(step, centres), every(step, u), finer, run);
   return curvature_threshold(own, fine.front(), std::max(field.radius, other));
 }
 

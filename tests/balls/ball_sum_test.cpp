@@ -38,7 +38,7 @@ std::vector<Vec3> places(const Mesh& mesh, std::size_t count, std::uint64_t seed
 void expect_oracle(const Mesh& mesh, const Normals& normals, const std::string& name) {
   const std::vector<double> radii = {0.053, 0.41, 1.13, 30};  // no multiple of a spacing: contact would be a tie
   const std::vector<Vec3> centres = places(mesh, 12, 5);
-  const BruteForceBallSum balls(measure_triangles(mesh, normals));
+  const BruteForceBallSum balls(triangles_of(mesh, normals));
   for (const BallDefinition ball : kBalls) {
     const std::vector<BallMeasures> got = sums(balls, centres, radii, ball);
     for (std::size_t i = 0; i < got.size(); ++i) {
@@ -98,8 +98,8 @@ double uncertainty(const Shape& s, const Ball& b, double area) {
 
 void expect_unchanged_by_subdivision(const Shape& s, const std::vector<double>& radii) {
   const Shape fine = shapes::subdivided(s);
-  const BruteForceBallSum coarse_balls(measure_triangles(s.mesh, s.normals));
-  const BruteForceBallSum fine_balls(measure_triangles(fine.mesh, fine.normals));
+  const BruteForceBallSum coarse_balls(triangles_of(s.mesh, s.normals));
+  const BruteForceBallSum fine_balls(triangles_of(fine.mesh, fine.normals));
   const std::vector<Vec3> centres = places(s.mesh, 100, 6);
   double fraction_change = 0;
   std::size_t uncertain = 0;
@@ -137,9 +137,9 @@ TEST(ExactDensity, SubdivisionChangesNothing) {
 
 TEST(BallSum, WholeMeshInOneBall) {
   const Shape s = shapes::torus(3, 1, 24, 16);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   MeasureSum all;
-  for (const MeasureSum& m : t.measures) all += m;
+  for (const MeasureSum& m : measure_triangles(t)) all += m;
   const BruteForceBallSum balls(t);
   for (const BallDefinition ball : kBalls) {
     const BallMeasures got = sums(balls, {Vec3(0.2, 0, 0)}, {50}, ball)[0];
@@ -152,7 +152,7 @@ TEST(BallSum, WholeMeshInOneBall) {
 TEST(BallSum, MissedBallsAreExactlyEmpty) {
   const Specimen giant = shapes::zoo()[5];
   ASSERT_EQ(giant.name, "giant triangle");
-  const BruteForceBallSum balls(measure_triangles(giant.mesh, giant.normals));
+  const BruteForceBallSum balls(triangles_of(giant.mesh, giant.normals));
   for (const BallDefinition ball : kBalls) {
     for (const BallMeasures& b : sums(balls, {Vec3(0.5, 0.5, 3), Vec3(kNaN, 0, 0)}, {0.1, 2.9}, ball)) {
       EXPECT_EQ(b.face_count, 0U);
@@ -174,7 +174,7 @@ TEST(BallSum, WeightsScaleAndSplitFaces) {
       tripled.weights.push_back(1.0 / 3);
     }
   }
-  const BruteForceBallSum one(measure_triangles(s.mesh, s.normals)), three(measure_triangles(tripled, s.normals));
+  const BruteForceBallSum one(triangles_of(s.mesh, s.normals)), three(triangles_of(tripled, s.normals));
   for (const BallDefinition ball : kBalls) {
     const BallMeasures a = sums(one, {s.mesh.vertices[5]}, {0.9}, ball)[0];
     const BallMeasures b = sums(three, {s.mesh.vertices[5]}, {0.9}, ball)[0];
@@ -186,7 +186,7 @@ TEST(BallSum, WeightsScaleAndSplitFaces) {
 
 TEST(BallSum, SameBitsForAnyThreads) {
   const Shape s = shapes::torus(3, 1, 30, 20);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const auto expected = sums(balls, s.mesh.vertices, {0.3, 0.7}, BallDefinition::ExactDensity);
   for (const int threads : {2, 3, 7}) {
     Execution run;
@@ -203,7 +203,7 @@ TEST(BallSum, SameBitsForAnyThreads) {
 
 TEST(BallSum, RadiiInTheOrderGiven) {
   const Shape s = shapes::sphere(1, 2);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const auto together = sums(balls, {s.mesh.vertices[3]}, {0.7, 0.2, 1.5, 0.2}, BallDefinition::ExactDensity);
   const std::array<double, 4> radii = {0.7, 0.2, 1.5, 0.2};
   for (std::size_t i = 0; i < radii.size(); ++i) {
@@ -215,7 +215,7 @@ TEST(BallSum, RadiiInTheOrderGiven) {
 
 TEST(BallSum, RefusesBadRadiiAndCancels) {
   const Shape s = shapes::sphere(1, 1);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   for (const double radius : {0.0, -1.0, kNaN, HUGE_VAL}) {
     EXPECT_THROW(sums(balls, {Vec3::Zero()}, {1.0, radius}, BallDefinition::ExactDensity), Error) << radius;
   }
@@ -227,7 +227,7 @@ TEST(BallSum, RefusesBadRadiiAndCancels) {
 
 TEST(MeasureTriangles, CountsAndDrops) {
   for (const Specimen& s : shapes::zoo()) {
-    const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+    const Triangles t = triangles_of(s.mesh, s.normals);
     std::size_t expected = 0, dropped = 0;
     for (std::size_t f = 0; f < s.mesh.faces.size(); ++f) {
       const Faces::View v = s.mesh.faces[f];
@@ -243,12 +243,12 @@ TEST(MeasureTriangles, CountsAndDrops) {
   const Shape s = shapes::sphere(1, 1);
   Normals u = s.normals;
   u[0].x() = kNaN;
-  EXPECT_EQ(measure_triangles(s.mesh, u).dropped_faces, 4U) << "a normal that is not finite drops its faces";
+  EXPECT_EQ(triangles_of(s.mesh, u).dropped_faces, 4U) << "a normal that is not finite drops its faces";
   u.pop_back();
-  EXPECT_THROW(measure_triangles(s.mesh, u), Error);
+  EXPECT_THROW(triangles_of(s.mesh, u), Error);
   Mesh bad = s.mesh;
   bad.faces.add(0, 1, 4000);
-  EXPECT_THROW(measure_triangles(bad, s.normals), Error);
+  EXPECT_THROW(triangles_of(bad, s.normals), Error);
 }
 
 TEST(SpatialOrder, IsAPermutationWithTheLostLast) {

@@ -22,7 +22,7 @@ constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, 
 /// Largest differences of measures, relative, and of the mean curvature over its largest.
 void expect_fast_close(const Shape& s, double radius, BallDefinition ball,
                        const kernels::Table& kernels = kernels::best_table()) {
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   const MeasureTree in_double(t), fast(t, Precision::Fast, kernels);
   const auto exact = test::sums(in_double, s.mesh.vertices, {radius}, ball),
              got = test::sums(fast, s.mesh.vertices, {radius}, ball);
@@ -53,7 +53,7 @@ TEST(FastMeasureTree, StaysWithinItsBounds) {
 
 TEST(FastMeasureTree, ItsTrianglesHaveTheirMeasuresWithoutStoringThem) {
   for (const shapes::Specimen& z : shapes::zoo()) {
-    const MeasuredTriangles t = measure_triangles(z.mesh, z.normals, QuadMeasures::Bilinear);
+    const Triangles t = triangles_of(z.mesh, z.normals, QuadMeasures::Bilinear);
     const MeasureTree in_double(t), fast(t, Precision::Fast);
     EXPECT_TRUE(fast.triangles().measures.empty());
     for (std::size_t i = 0; i < t.size(); ++i) {
@@ -70,7 +70,7 @@ TEST(FastMeasureTree, ItsTrianglesHaveTheirMeasuresWithoutStoringThem) {
 
 TEST(FastMeasureTree, StaysWithinItsBoundsOnBilinearQuads) {
   const Shape s = shapes::wavy_quads();
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals, QuadMeasures::Bilinear);
+  const Triangles t = triangles_of(s.mesh, s.normals, QuadMeasures::Bilinear);
   const MeasureTree in_double(t), fast(t, Precision::Fast);
   const std::vector<Vec3> centres = places(s.mesh, 81, 0.3);
   for (const double radius : {0.3, 1.1, 2.7}) {
@@ -89,7 +89,7 @@ TEST(FastMeasureTree, StaysWithinItsBoundsOnBilinearQuads) {
 /// Largest difference of the area in unit balls around `centres`, over radius^2; every face is to be met by both.
 double largest_error_of_fast(const Mesh& mesh, const Normals& normals, const std::vector<Vec3>& centres,
                              const kernels::Table& kernels) {
-  const MeasuredTriangles t = measure_triangles(mesh, normals);
+  const Triangles t = triangles_of(mesh, normals);
   const MeasureTree in_double(t), fast(t, Precision::Fast, kernels);
   const auto a = test::sums(in_double, centres, {1.0}, BallDefinition::ExactDensity);
   const auto b = test::sums(fast, centres, {1.0}, BallDefinition::ExactDensity);
@@ -154,7 +154,7 @@ TEST(MeasureTrees, FindTrianglesTenMillionTimesTheBallThatItHardlyReaches) {
         mesh.vertices.emplace_back(size * Vec3(within(random), within(random), within(random)));
       mesh.faces.add({0, 1, 2});
       const std::vector<Vec3> centres = beside_edges(mesh.vertices, random);
-      const MeasuredTriangles t = measure_triangles(mesh, Normals(3, Vec3(0, 0, 1)));
+      const Triangles t = triangles_of(mesh, Normals(3, Vec3(0, 0, 1)));
       const auto truth = test::brute_force(t, centres, {1.0}, BallDefinition::ExactDensity);
       for (const kernels::Table* const table : kernels::usable_tables()) {
         for (const Precision precision : {Precision::Double, Precision::Fast}) {
@@ -187,7 +187,7 @@ TEST(FastMeasureTree, MissesNothingOfNeedlesMuchLongerThanTheBall) {
       for (int k = 0; k < 60; ++k)
         centres.emplace_back(centroid + 0.6 * size * within(random) * along + (0.995 + 0.005 * within(random)) * up);
       const Normals normals(3, up);
-      const MeasuredTriangles t = measure_triangles(mesh, normals);
+      const Triangles t = triangles_of(mesh, normals);
       const auto truth = test::brute_force(t, centres, {1.0}, BallDefinition::ExactDensity);
       for (const kernels::Table* const table : kernels::usable_tables()) {
         const auto found =

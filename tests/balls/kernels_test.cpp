@@ -34,8 +34,7 @@ std::vector<const kernels::Table*> other_tables() {
 }
 
 /// Up to what fused products round once: a few roundings of the sum of absolute values.
-void expect_same_sums(const MeasuredTriangles& t, const Balls& balls, const kernels::Table& table,
-                      const std::string& name) {
+void expect_same_sums(const Triangles& t, const Balls& balls, const kernels::Table& table, const std::string& name) {
   const MeasureTree best(t, Precision::Double, table), baseline(t, Precision::Double, kernels::baseline_table());
   for (const BallDefinition ball : kBalls) {
     const auto a = sums(best, balls.centres, balls.radii, ball), b = sums(baseline, balls.centres, balls.radii, ball);
@@ -48,7 +47,7 @@ void expect_same_sums(const MeasuredTriangles& t, const Balls& balls, const kern
   }
 }
 
-double longest_edge(const MeasuredTriangles& t) {
+double longest_edge(const Triangles& t) {
   double longest = 0;
   for (const auto& c : t.corners) {
     for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (t.x[c[(i + 1) % 3]] - t.x[c[i]]).norm());
@@ -57,7 +56,7 @@ double longest_edge(const MeasuredTriangles& t) {
 }
 
 /// In floats, to what their digits are worth: areas of parts are off by roundings of radius * edge.
-void expect_same_fast_sums(const MeasuredTriangles& t, const Balls& balls, const kernels::Table& table,
+void expect_same_fast_sums(const Triangles& t, const Balls& balls, const kernels::Table& table,
                            const std::string& name) {
   const MeasureTree best(t, Precision::Fast, table), baseline(t, Precision::Fast, kernels::baseline_table());
   const double longest = longest_edge(t);
@@ -77,7 +76,7 @@ void expect_same_fast_sums(const MeasuredTriangles& t, const Balls& balls, const
 TEST(Kernels, EveryInstructionSetGivesTheSameSums) {
   if (other_tables().empty()) GTEST_SKIP() << "this processor has the baseline alone";
   const auto expect_same = [](const Mesh& mesh, const Normals& normals, const Balls& balls, const std::string& name) {
-    const MeasuredTriangles t = measure_triangles(mesh, normals);
+    const Triangles t = triangles_of(mesh, normals);
     for (const kernels::Table* const table : other_tables()) {
       expect_same_sums(t, balls, *table, name + ", " + table->name);
       expect_same_fast_sums(t, balls, *table, name + ", " + table->name);
@@ -91,7 +90,7 @@ TEST(Kernels, EveryInstructionSetGivesTheSameSums) {
 
 TEST(Kernels, EveryInstructionSetMeasuresFacesToTheSameBits) {
   const Shape s = shapes::torus(3, 1, 31, 23);
-  MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  Triangles t = triangles_of(s.mesh, s.normals);
   t.weights.assign(t.size(), 1.0);
   t.weights.back() = 3;
   const kernels::TriangleView view = {
@@ -109,12 +108,12 @@ TEST(Kernels, EveryInstructionSetMeasuresFacesToTheSameBits) {
   }
 }
 
-TEST(MeasuredTriangles, AreThoseOfEveryTriangleAlone) {
+TEST(Triangles, AreThoseOfEveryTriangleAlone) {
   for (const shapes::Specimen& z : shapes::zoo()) {
     Mesh mesh = z.mesh;
     mesh.weights.clear();
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) mesh.weights.push_back(1 + static_cast<double>(f % 3));
-    const MeasuredTriangles t = measure_triangles(mesh, z.normals);
+    const Triangles t = triangles_of(mesh, z.normals);
     for (std::size_t i = 0; i < t.size(); ++i) {
       const auto& c = t.corners[i];
       const Measures m = triangle_measures({t.x[c[0]], t.x[c[1]], t.x[c[2]]}, {t.u[c[0]], t.u[c[1]], t.u[c[2]]});
@@ -129,9 +128,9 @@ TEST(MeasuredTriangles, AreThoseOfEveryTriangleAlone) {
 }
 
 /// Meshes of plain triangles have a shorter way in than those with other faces, weights, or vertices to leave out.
-TEST(MeasuredTriangles, AreTheSameBitsWhicheverWayTheyCome) {
+TEST(Triangles, AreTheSameBitsWhicheverWayTheyCome) {
   const Shape s = shapes::torus(3, 1, 61, 43);
-  const MeasuredTriangles plain = measure_triangles(s.mesh, s.normals);
+  const Triangles plain = triangles_of(s.mesh, s.normals);
   ASSERT_TRUE(plain.weights.empty());
   Mesh ones = s.mesh, other = s.mesh;
   ones.weights.assign(ones.faces.size(), 1.0);
@@ -144,9 +143,9 @@ TEST(MeasuredTriangles, AreTheSameBitsWhicheverWayTheyCome) {
   Execution three;
   three.threads = 3;
   const std::size_t bytes = plain.size() * sizeof(MeasureSum);
-  for (const MeasuredTriangles& t :
-       {measure_triangles(ones, s.normals), measure_triangles(other, s.normals), measure_triangles(dropping, one_more),
-        measure_triangles(s.mesh, s.normals, QuadMeasures::Split, three)}) {
+  for (const Triangles& t :
+       {triangles_of(ones, s.normals), triangles_of(other, s.normals), triangles_of(dropping, one_more),
+        triangles_of(s.mesh, s.normals, QuadMeasures::Split, three)}) {
     ASSERT_GE(t.size(), plain.size());
     EXPECT_EQ(std::memcmp(t.measures.data(), plain.measures.data(), bytes), 0);
     EXPECT_TRUE(std::equal(plain.corners.begin(), plain.corners.end(), t.corners.begin()));

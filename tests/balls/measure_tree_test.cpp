@@ -23,7 +23,7 @@ using test::places;
 
 constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, BallDefinition::AreaFraction};
 
-void expect_brute_force(const MeasuredTriangles& t, const std::vector<Vec3>& centres, const std::vector<double>& radii,
+void expect_brute_force(const Triangles& t, const std::vector<Vec3>& centres, const std::vector<double>& radii,
                         const std::string& name, double tolerance = 1e-12) {
   const MeasureTree tree(t);
   for (const BallDefinition ball : kBalls) {
@@ -41,26 +41,26 @@ void expect_brute_force(const MeasuredTriangles& t, const std::vector<Vec3>& cen
 
 TEST(MeasureTree, EqualsBruteForceOnTheZoo) {
   for (const shapes::Specimen& s : shapes::zoo()) {
-    const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+    const Triangles t = triangles_of(s.mesh, s.normals);
     expect_brute_force(t, places(s.mesh, 60, 0.4), {0.053, 0.41, 1.13, 4.0, 2e4}, s.name);
   }
 }
 
 TEST(MeasureTree, EqualsBruteForceOnTorusAtVerticesWithFiveToFortyFaces) {
   const Shape s = shapes::torus(3, 1, 40, 24);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   expect_brute_force(t, s.mesh.vertices, {0.05, 0.31, 0.45, 0.71, 0.93}, "torus");
 }
 
 TEST(MeasureTree, EqualsBruteForceFromTinyToLargerThanEverything) {
   const Shape s = shapes::torus(3, 1, 70, 50);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   expect_brute_force(t, places(s.mesh, 60, 0.5), {1e-9, 1e-4, 0.02, 1.0, 2.0, 3.7, 7.9, 8.5, 1e6}, "torus");
 }
 
 TEST(MeasureTree, EqualsBruteForceOnASoupOfAllSizes) {
   const Shape s = shapes::sphere_soup(1, 3000, 5);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   expect_brute_force(t, places(s.mesh, 60, 0.3), {0.01, 0.1, 0.5, 1.2, 2.5}, "soup");
 }
 
@@ -83,7 +83,7 @@ TEST(MeasureTree, EqualsBruteForceWithFacesOfEverySize) {
     add(s.mesh.vertices[v], s.normals[v], 0.05 * std::pow(1 - uniform(random), -1 / 1.2));
   }
   add(Vec3(0, 0, 0.5), Vec3::UnitZ(), 500);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   // Corners 25,000 radii away are themselves rounded to 5e-12 radii.
   constexpr double kFarCorners = 1e-10;
   expect_brute_force(t, places(s.mesh, 100, 0.2), {0.02, 0.12, 0.4, 1.4}, "all sizes", kFarCorners);
@@ -91,28 +91,28 @@ TEST(MeasureTree, EqualsBruteForceWithFacesOfEverySize) {
 
 TEST(MeasureTree, EqualsBruteForceOnBilinearQuads) {
   const Shape s = shapes::wavy_quads();
-  expect_brute_force(measure_triangles(s.mesh, s.normals, QuadMeasures::Bilinear), places(s.mesh, 81, 0.3),
-                     {0.3, 1.1, 2.7}, "quads");
+  expect_brute_force(triangles_of(s.mesh, s.normals, QuadMeasures::Bilinear), places(s.mesh, 81, 0.3), {0.3, 1.1, 2.7},
+                     "quads");
 }
 
 TEST(MeasureTree, SmallestAndDegenerateInputs) {
-  const MeasureTree nothing((MeasuredTriangles()));
+  const MeasureTree nothing((Triangles()));
   EXPECT_EQ(test::sums(nothing, {Vec3::Zero()}, {1.0}, BallDefinition::ExactDensity)[0].face_count, 0U);
 
   Mesh one;
   one.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.2, 1, 0)};
   one.faces.add(0, 1, 2);
   const Normals up(3, Vec3::UnitZ());
-  expect_brute_force(measure_triangles(one, up), places(one, 20, 0.5), {0.1, 0.6, 3}, "one triangle");
+  expect_brute_force(triangles_of(one, up), places(one, 20, 0.5), {0.1, 0.6, 3}, "one triangle");
 
   for (int copy = 0; copy < 4999; ++copy) one.faces.add(0, 1, 2);
-  const MeasuredTriangles all_at_one_place = measure_triangles(one, up);
+  const Triangles all_at_one_place = triangles_of(one, up);
   expect_brute_force(all_at_one_place, places(one, 10, 0.5), {0.1, 0.6, 3}, "5000 triangles at one place");
 
   Mesh point;
   point.vertices.assign(3, Vec3(2, 3, 4));
   for (int copy = 0; copy < 100; ++copy) point.faces.add(0, 1, 2);
-  const MeasureTree at_a_point(measure_triangles(point, up));
+  const MeasureTree at_a_point(triangles_of(point, up));
   const auto got =
       test::sums(at_a_point, {Vec3(2, 3, 4), Vec3(2, 3, 5), Vec3(2, 3, 5.1)}, {1}, BallDefinition::ExactDensity);
   EXPECT_EQ(got[0].face_count, 100U);
@@ -123,7 +123,7 @@ TEST(MeasureTree, SmallestAndDegenerateInputs) {
 TEST(MeasureTree, TouchingFacesCount) {
   // Every distance is exact, so that engines can only agree by deciding alike.
   const Shape s = shapes::square(9);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   expect_brute_force(t, s.mesh.vertices, {0.125, 0.25, 0.375, 0.625, 1.0}, "square");
   std::vector<Vec3> above;
   for (const Vec3& x : s.mesh.vertices) above.push_back(x + Vec3(0, 0, 0.25));
@@ -132,7 +132,7 @@ TEST(MeasureTree, TouchingFacesCount) {
 
 TEST(MeasureTree, RadiiTogetherEqualRadiiAlone) {
   const Shape s = shapes::torus(3, 1, 50, 30);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   const MeasureTree tree(t);
   const std::vector<double> radii = {0.8, 0.2, 0.8 * std::sqrt(0.5), 0.4, 5, 0.2};
   for (const BallDefinition ball : kBalls) {
@@ -152,7 +152,7 @@ TEST(MeasureTree, RadiiTogetherEqualRadiiAlone) {
 TEST(MeasureTree, ThreadsGiveTheSameBits) {
   const Shape s = shapes::torus(3, 1, 90, 60);
   for (const Precision precision : {Precision::Double, Precision::Fast}) {
-    const MeasureTree tree(measure_triangles(s.mesh, s.normals), precision);
+    const MeasureTree tree(triangles_of(s.mesh, s.normals), precision);
     std::vector<std::vector<BallMeasures>> results;
     for (const int threads : {1, 2, 3}) {
       Execution run;
@@ -191,7 +191,7 @@ TEST(MeasureTree, OrderOfQueriesAndCompanyChangeNoBit) {
   std::vector<Vec3> near(s.mesh.vertices.begin(), s.mesh.vertices.begin() + 150);
   for (const double distance : {3.0, 10.0, 1e4}) near.push_back(Vec3(distance, 1, 0));
   for (const Precision precision : {Precision::Double, Precision::Fast}) {
-    const MeasureTree tree(measure_triangles(s.mesh, s.normals), precision);
+    const MeasureTree tree(triangles_of(s.mesh, s.normals), precision);
     for (const double radius : {0.05, 0.3, 1.0, 20.0}) {
       expect_no_bit_changed_by_company(tree, shuffled, {radius});
       expect_no_bit_changed_by_company(tree, near, {radius});
@@ -202,7 +202,7 @@ TEST(MeasureTree, OrderOfQueriesAndCompanyChangeNoBit) {
 
 TEST(MeasureTree, RefusesRadiiThatAreNoBallsAndSurvivesCentresThatAreNoPoints) {
   const Shape s = shapes::sphere(1, 2);
-  const MeasureTree tree(measure_triangles(s.mesh, s.normals));
+  const MeasureTree tree(triangles_of(s.mesh, s.normals));
   for (const double radius : {0.0, -1.0, kNaN, HUGE_VAL})
     EXPECT_THROW(test::sums(tree, {Vec3::Zero()}, {radius}, BallDefinition::ExactDensity), Error) << radius;
   const auto got = test::sums(tree, {Vec3(kNaN, 0, 0), Vec3(0, HUGE_VAL, 0), Vec3(1, 0, 0)}, {0.5, 9.0},
@@ -218,7 +218,7 @@ TEST(MeasureTree, RefusesRadiiThatAreNoBallsAndSurvivesCentresThatAreNoPoints) {
 
 TEST(MeasureTree, CanBeCancelled) {
   const Shape s = shapes::torus(3, 1, 60, 40);
-  const MeasureTree tree(measure_triangles(s.mesh, s.normals));
+  const MeasureTree tree(triangles_of(s.mesh, s.normals));
   std::atomic<bool> stop{false};
   Execution run;
   run.cancel = &stop;
@@ -233,12 +233,12 @@ TEST(MeasureTree, CanBeCancelled) {
 TEST(MeasureTree, IsTheSameMadeByAnyNumberOfThreadsAndWithoutMeasures) {
   const Shape s = shapes::torus(3, 1, 200, 90);  // several parts for every thread
   const std::vector<Vec3> centres = places(s.mesh, 50, 0.4);
-  const MeasureTree expected(measure_triangles(s.mesh, s.normals));
+  const MeasureTree expected(triangles_of(s.mesh, s.normals));
   const auto sums = test::sums(expected, centres, {0.3}, BallDefinition::ExactDensity);
   for (int threads = 1; threads <= 3; ++threads) {
     Execution run;
     run.threads = threads;
-    const MeasureTree tree(triangles_for_tree(s.mesh, s.normals), Precision::Double, run);
+    const MeasureTree tree(triangles_of(s.mesh, s.normals), Precision::Double, run);
     EXPECT_EQ(tree.triangles().corners, expected.triangles().corners) << threads;
     EXPECT_EQ(tree.triangles().faces, expected.triangles().faces) << threads;
     const auto got = test::sums(tree, centres, {0.3}, BallDefinition::ExactDensity);
@@ -252,13 +252,13 @@ TEST(MeasureTree, CanBeCancelledWhileItIsMade) {
   const std::atomic<bool> stop{true};
   Execution run;
   run.cancel = &stop;
-  EXPECT_THROW(MeasureTree(triangles_for_tree(s.mesh, s.normals), Precision::Double, run), Cancelled);
+  EXPECT_THROW(MeasureTree(triangles_of(s.mesh, s.normals), Precision::Double, run), Cancelled);
 }
 
 TEST(MeasureTree, ExactDensityIsUnchangedWhenFacesAreSplitInFour) {
   const Shape coarse = shapes::torus(3, 1, 40, 24), fine = shapes::subdivided(coarse);
-  const MeasureTree coarse_tree(measure_triangles(coarse.mesh, coarse.normals));
-  const MeasureTree fine_tree(measure_triangles(fine.mesh, fine.normals));
+  const MeasureTree coarse_tree(triangles_of(coarse.mesh, coarse.normals));
+  const MeasureTree fine_tree(triangles_of(fine.mesh, fine.normals));
   const std::vector<double> radii = {0.2, 0.9, 2.3};
   double fraction_change = 0;
   for (const BallDefinition ball : kBalls) {
@@ -291,18 +291,18 @@ TEST(MeasureTree, EqualsBruteForceOnTinyTrianglesOnTheRimOfALargeBall) {
       }
       mesh.faces.add(3 * t, 3 * t + 1, 3 * t + 2);
     }
-    expect_brute_force(measure_triangles(mesh, u), {Vec3::Zero()}, {1 - size, 1.0, 1 + size}, std::to_string(size));
+    expect_brute_force(triangles_of(mesh, u), {Vec3::Zero()}, {1 - size, 1.0, 1 + size}, std::to_string(size));
   }
 }
 
 TEST(MeasureTree, ScalesWithoutLossFarFromUnity) {
   const Shape s = shapes::torus(3, 1, 50, 30);
-  const MeasureTree unit(measure_triangles(s.mesh, s.normals));
+  const MeasureTree unit(triangles_of(s.mesh, s.normals));
   const auto expected = test::sums(unit, s.mesh.vertices, {0.7}, BallDefinition::ExactDensity);
   for (const double scale : {1e-6, 1e-3, 0.3, 1e3, 1e6}) {
     Mesh mesh = s.mesh;
     for (Vec3& x : mesh.vertices) x *= scale;
-    const MeasureTree tree(measure_triangles(mesh, s.normals));
+    const MeasureTree tree(triangles_of(mesh, s.normals));
     const auto got = test::sums(tree, mesh.vertices, {0.7 * scale}, BallDefinition::ExactDensity);
     for (std::size_t i = 0; i < got.size(); ++i) {
       EXPECT_EQ(got[i].face_count, expected[i].face_count);
@@ -339,7 +339,7 @@ TEST(MeasureTree, RelativeErrorsAreTheSameOverTwelveOrdersOfScale) {
 
 TEST(MeasureTree, BytesPerTriangle) {
   const Shape s = shapes::torus(3, 1, 200, 150);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   const auto per_triangle = [&](Precision p) {
     return static_cast<double>(MeasureTree(t, p).bytes()) / static_cast<double>(t.size());
   };

@@ -149,7 +149,7 @@ Union union_around(const Mesh& mesh, const Vec3& centre, double radius) {
 
 void expect_bound(const Shape& s, const Surface& surface, std::size_t faces, const std::vector<double>& radii) {
   const Quality q = quality_of(s, surface, faces);
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   double sharpest = 1e300;
   for (std::size_t v = 0; v < s.mesh.vertices.size(); v += s.mesh.vertices.size() / 7) {
     for (const double radius : radii) {

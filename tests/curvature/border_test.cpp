@@ -14,7 +14,7 @@
 #include "kappa/core/curvatures.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/curvature/estimate.hpp"
-#include "kappa/curvature/refine.hpp"
+#include "kappa/curvature/shape_operators.hpp"
 #include "support/shapes.hpp"
 
 namespace kappa {
@@ -110,7 +110,7 @@ TEST(BoxTree, FindsWhatIsNear) {
 }
 
 TEST(Border, IsWhereFacesEnd) {
-  const auto edges = [](const Mesh& mesh, const Normals& u) { return border_edges(measure_triangles(mesh, u)).size(); };
+  const auto edges = [](const Mesh& mesh, const Normals& u) { return border_edges(triangles_of(mesh, u)).size(); };
   const Shape torus = shapes::torus(3, 1, 20, 12), square = shapes::square(7), tube = shapes::cylinder(1, 2, 16, 5);
   EXPECT_EQ(edges(torus.mesh, torus.normals), 0u);
   EXPECT_EQ(edges(square.mesh, square.normals), 24u);
@@ -121,12 +121,12 @@ TEST(Border, IsWhereFacesEnd) {
 
 TEST(Border, OfRefinedFacesIsNotTold) {
   const Shape square = shapes::square(5);
-  EXPECT_TRUE(border_edges(measure_refined(square.mesh, square.normals, 2)).empty());
+  EXPECT_TRUE(border_edges(refined_triangles(square.mesh, square.normals, 2)).empty());
   Mesh quads;
   quads.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
   quads.faces.add({0, 1, 4, 3});
   quads.faces.add({1, 2, 5, 4});
-  EXPECT_EQ(border_edges(measure_triangles(quads, Normals(6, Vec3::UnitZ()))).size(), 6u) << "parts of polygons are";
+  EXPECT_EQ(border_edges(triangles_of(quads, Normals(6, Vec3::UnitZ()))).size(), 6u) << "parts of polygons are";
 }
 
 /// Chord at distance d from the centre of a disc of radius r: what is left when the part beyond it is cut off.
@@ -137,7 +137,7 @@ double centroid_behind_chord(double r, double d) {
 
 TEST(Border, CentroidsOfThePlaneAreExact) {
   const Shape square = shapes::square(11);
-  const MeasureTree balls(measure_triangles(square.mesh, square.normals));
+  const MeasureTree balls(triangles_of(square.mesh, square.normals));
   const Border border(balls.triangles());
   const auto centroid = [&](const Vec3& c, double r) {
     Vec3 at = Vec3::Zero();
@@ -161,7 +161,7 @@ TEST(Border, WeightsOfFacesCount) {
     square.mesh.faces.add(corners);
   }
   square.mesh.weights.assign(2 * faces, 0.5);
-  const Border border(measure_triangles(square.mesh, square.normals));
+  const Border border(triangles_of(square.mesh, square.normals));
   const double r = 0.3, area = kPi * r * r / 2;
   EXPECT_LT((border.centroid({0.5, 1, 0}, r, area) + 4 * r / (3 * kPi) * Vec3::UnitY()).norm(), 1e-12);
 }
@@ -208,7 +208,7 @@ TEST(BorderEstimate, NoiseIsHardlyAmplified) {
 TEST(BorderEstimate, NothingChangesInside) {
   const double radius = 0.3;
   const Shape s = cut_torus(60);
-  const Border border(measure_triangles(s.mesh, s.normals));
+  const Border border(triangles_of(s.mesh, s.normals));
   const CurvatureField a = estimate(s, radius, 2, BorderEstimate::InBall);
   const CurvatureField b = estimate(s, radius, 2, BorderEstimate::AtCentre);
   std::size_t same = 0, changed = 0;
@@ -310,7 +310,7 @@ TEST(BorderEstimate, AtCentreIsForBallsAtTheVerticesOfPlainFaces) {
   EXPECT_TRUE(refused(at_zero));
   EXPECT_TRUE(refused(refined));
   EXPECT_TRUE(refused(own_scales));
-  const MeasureTree plain(measure_triangles(s.mesh, s.normals)), split(measure_refined(s.mesh, s.normals, 1));
+  const MeasureTree plain(triangles_of(s.mesh, s.normals)), split(refined_triangles(s.mesh, s.normals, 1));
   EXPECT_NO_THROW(estimate_curvatures(plain, s.normals, options));
   EXPECT_THROW(estimate_curvatures(split, s.normals, options), Error);
   EXPECT_THROW(estimate_curvatures(plain, s.mesh.vertices, s.normals, options), Error) << "other centres";

@@ -19,7 +19,7 @@ struct Errors {
 };
 
 Errors l2_errors(const Shape& s, const Normals& u) {
-  const CurvatureField f = estimate_at_vertices(measure_triangles(s.mesh, u), u, VertexLimit::Star);
+  const CurvatureField f = curvatures_at_vertices(triangles_of(s.mesh, u), u, VertexLimit::Star);
   Errors e;
   for (std::size_t i = 0; i < f.samples.size(); ++i) {
     const Curvatures& k = f.samples[i].k;
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Normals, TorusSlopes, ::testing::Values(Kind::True, Kin
 
 double total_gaussian(const Mesh& mesh, const Normals& u) {
   double sum = 0;
-  for (const MeasureSum& m : measure_triangles(mesh, u).measures) sum += m.mu2;
+  for (const MeasureSum& m : measure_triangles(triangles_of(mesh, u))) sum += m.mu2;
   return sum;
 }
 

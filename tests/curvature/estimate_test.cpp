@@ -22,7 +22,7 @@ const std::vector<double> kRadii = {0.25, 0.7};
 
 /// All fields that the tests compare: both ball definitions at two radii, and both vertex limits.
 std::vector<CurvatureField> all_fields(const Mesh& mesh, const Normals& u, double unit = 1) {
-  const MeasuredTriangles triangles = measure_triangles(mesh, u);
+  const Triangles triangles = triangles_of(mesh, u);
   const BruteForceBallSum balls(triangles);
   std::vector<CurvatureField> fields;
   for (const BallDefinition ball : kBalls) {
@@ -31,7 +31,7 @@ std::vector<CurvatureField> all_fields(const Mesh& mesh, const Normals& u, doubl
     }
   }
   for (const VertexLimit limit : {VertexLimit::Star, VertexLimit::Limit}) {
-    fields.push_back(estimate_at_vertices(triangles, u, limit));
+    fields.push_back(curvatures_at_vertices(triangles, u, limit));
   }
   return fields;
 }
@@ -117,7 +117,7 @@ TEST(Invariance, GeoreferencedCoordinates) {
 
 TEST(EstimateCurvatures, AreaCoverageAndMeasuresOfAPlane) {
   const Shape s = shapes::square(21);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const std::vector<Vec3> centres = {Vec3(0.5, 0.5, 0), Vec3(0.5, 0, 0), Vec3(0, 0, 0), Vec3(0.5, 0.5, 0.06)};
   const Normals up(4, Vec3::UnitZ());
   for (const BallDefinition ball : kBalls) {
@@ -154,7 +154,7 @@ TEST(EstimateCurvatures, StatusesGiveNaN) {
     u.push_back(Vec3::UnitX());
   }
   mesh.faces.add(n, n + 1, n + 2);
-  const BruteForceBallSum balls(measure_triangles(mesh, u));
+  const BruteForceBallSum balls(triangles_of(mesh, u));
   const std::vector<Vec3> centres = {Vec3(0.5, 0.5, 0), Vec3(0.5, 0.5, 9), Vec3(10.2, 0.2, 0),
                                      Vec3(kNaN, 0, 0),  Vec3(0.5, 0.5, 0), Vec3(0.5, 0.5, 0)};
   const Normals at = {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitZ(), Vec3::Zero(), Vec3(0, kNaN, 1)};
@@ -176,9 +176,9 @@ TEST(EstimateAtVertices, StatusesGiveNaN) {
   s.mesh.vertices.emplace_back(7, 7, 7);  // isolated
   s.normals.push_back(Vec3::UnitZ());
   s.normals[12] = Vec3::Zero();
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   for (const VertexLimit limit : {VertexLimit::Star, VertexLimit::Limit}) {
-    const CurvatureField f = estimate_at_vertices(t, s.normals, limit);
+    const CurvatureField f = curvatures_at_vertices(t, s.normals, limit);
     EXPECT_EQ(f.radius, 0);
     ASSERT_EQ(f.samples.size(), s.normals.size());
     EXPECT_EQ(f.samples[0].k.status, PointStatus::Valid);
@@ -217,19 +217,19 @@ TEST(EstimateAtVertices, StarAndLimitByHand) {
     m *= std::acos(a.dot(b) / (a.norm() * b.norm())) / (a.cross(b).norm() / 2);
     limit += m;
   }
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   const Vec3& u = s.normals[0];
-  expect_curvatures(estimate_at_vertices(t, s.normals, VertexLimit::Star).samples[0].k, curvatures(star, u), 1e-13);
-  expect_curvatures(estimate_at_vertices(t, s.normals, VertexLimit::Limit).samples[0].k, curvatures(limit, u), 1e-13);
+  expect_curvatures(curvatures_at_vertices(t, s.normals, VertexLimit::Star).samples[0].k, curvatures(star, u), 1e-13);
+  expect_curvatures(curvatures_at_vertices(t, s.normals, VertexLimit::Limit).samples[0].k, curvatures(limit, u), 1e-13);
   EXPECT_GT(std::abs(curvatures(star, u).mean - curvatures(limit, u).mean), 1e-3) << "the fan cannot tell them apart";
 }
 
 TEST(EstimateAtVertices, LimitIsThatOfSmallBalls) {
   const Shape s = weighted_fan();
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals);
+  const Triangles t = triangles_of(s.mesh, s.normals);
   const CurvatureField small = estimate_curvatures(BruteForceBallSum(t), {s.mesh.vertices[0]}, {s.normals[0]}, {1e-3},
                                                    BallDefinition::AreaFraction)[0];
-  expect_curvatures(estimate_at_vertices(t, s.normals, VertexLimit::Limit).samples[0].k, small.samples[0].k, 1e-9);
+  expect_curvatures(curvatures_at_vertices(t, s.normals, VertexLimit::Limit).samples[0].k, small.samples[0].k, 1e-9);
 }
 
 TEST(EstimateCurvatures, SurvivesTheZoo) {
@@ -255,7 +255,7 @@ TEST(EstimateCurvatures, SurvivesTheZoo) {
 
 TEST(EstimateCurvatures, Refuses) {
   const Shape s = shapes::sphere(1, 1);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const auto call = [&](const Normals& u, const std::vector<double>& radii) {
     return estimate_curvatures(balls, s.mesh.vertices, u, radii, BallDefinition::ExactDensity);
   };

@@ -16,7 +16,7 @@ constexpr std::array<BallDefinition, 2> kBalls = {BallDefinition::ExactDensity, 
 constexpr std::array<VertexLimit, 2> kLimits = {VertexLimit::Star, VertexLimit::Limit};
 
 std::vector<CurvatureField> in_balls(const Shape& s, const std::vector<double>& radii, BallDefinition ball) {
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   return estimate_curvatures(balls, s.mesh.vertices, s.normals, radii, ball);
 }
 
@@ -42,8 +42,8 @@ void expect_exact(const Shape& s, const Expected& e, const std::vector<double>& 
   for (const BallDefinition ball : kBalls) {
     for (const CurvatureField& field : in_balls(s, radii, ball)) expect_field(field, e, what);
   }
-  const MeasuredTriangles triangles = measure_triangles(s.mesh, s.normals);
-  for (const VertexLimit limit : kLimits) expect_field(estimate_at_vertices(triangles, s.normals, limit), e, what);
+  const Triangles triangles = triangles_of(s.mesh, s.normals);
+  for (const VertexLimit limit : kLimits) expect_field(curvatures_at_vertices(triangles, s.normals, limit), e, what);
 }
 
 TEST(Exact, Sphere) {
@@ -88,9 +88,9 @@ TEST(Exact, SphereOfPolygons) {
     s.mesh.faces.add(f);
   }
   // Bilinear patches keep u = x / R inside, so they are exact.
-  const MeasuredTriangles t = measure_triangles(s.mesh, s.normals, QuadMeasures::Bilinear);
+  const Triangles t = triangles_of(s.mesh, s.normals, QuadMeasures::Bilinear);
   MeasureSum sum;
-  for (const MeasureSum& m : t.measures) sum += m;
+  for (const MeasureSum& m : measure_triangles(t)) sum += m;
   EXPECT_NEAR(sum.mu1() / (2 * sum.mu0), 1 / R, 1e-12);
   EXPECT_NEAR(sum.mu2 / sum.mu0, 1 / (R * R), 1e-12);
 }
@@ -105,11 +105,11 @@ TEST(Exact, SchwarzLantern) {
   // 10 corners in 400 rings: the area of the lantern diverges, its curvatures stay exact.
   const Shape s = shapes::cylinder(1, 1, 10, 400, 0.5);
   double area = 0;
-  for (const MeasureSum& m : measure_triangles(s.mesh, s.normals).measures) area += m.area;
+  for (const MeasureSum& m : measure_triangles(triangles_of(s.mesh, s.normals))) area += m.area;
   EXPECT_GT(area, 10 * 2 * kPi);
-  const MeasuredTriangles triangles = measure_triangles(s.mesh, s.normals);
+  const Triangles triangles = triangles_of(s.mesh, s.normals);
   for (const VertexLimit limit : kLimits) {
-    expect_field(estimate_at_vertices(triangles, s.normals, limit), {0.5, 0, 1}, "lantern");
+    expect_field(curvatures_at_vertices(triangles, s.normals, limit), {0.5, 0, 1}, "lantern");
   }
   // Balls around every 97th vertex: the brute force is slow.
   const BruteForceBallSum balls(triangles);
@@ -128,7 +128,7 @@ TEST(Exact, SchwarzLantern) {
 
 TEST(Exact, PrincipalCurvaturesOfACylinder) {
   const Shape s = shapes::cylinder(2, 6, 60, 40);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const Index middle = 20 * 60;
   const CurvatureField f = estimate_curvatures(balls, {s.mesh.vertices[middle]}, {s.normals[middle]}, {0.5},
                                                BallDefinition::ExactDensity)[0];
@@ -142,7 +142,7 @@ TEST(Exact, PrincipalCurvaturesOfACylinder) {
 /// SPEC section 3: on a sphere k = (1 - rho^2 / (4 R^2)) / R + O(rho^4).
 TEST(Exact, KnownScaleBiasOfTheSphere) {
   const Shape s = shapes::sphere(1, 5);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   for (const double rho : {0.2, 0.4}) {
     const auto f =
         estimate_curvatures(balls, {s.mesh.vertices[0]}, {s.normals[0]}, {rho}, BallDefinition::ExactDensity);

@@ -96,7 +96,7 @@ struct Errors {
 
 Errors slice_errors(const Shape& s, std::size_t rings, double radius, int order) {
   const auto first = [&](const auto& all) { return std::vector<Vec3>(all.begin(), all.begin() + rings); };
-  const MeasureTree balls(measure_triangles(s.mesh, s.normals));
+  const MeasureTree balls(triangles_of(s.mesh, s.normals));
   CurvatureOptions options;
   options.radii = {radius};
   options.order = order;
@@ -144,7 +144,7 @@ TEST(Orders, ErrorFallsWithThePowersOfTheRadius) {
 class CountingBallSum final : public BallSum {
  public:
   explicit CountingBallSum(const BallSum& from) : from_(from) {}
-  const MeasuredTriangles& triangles() const override { return from_.triangles(); }
+  const Triangles& triangles() const override { return from_.triangles(); }
   mutable std::vector<std::vector<double>> asked;
 
  private:
@@ -158,7 +158,7 @@ class CountingBallSum final : public BallSum {
 
 TEST(Orders, OneWalkServesAllRadiiAndEachBallOnce) {
   const Shape s = shapes::torus(3, 1, 24, 16);
-  const MeasureTree tree(measure_triangles(s.mesh, s.normals));
+  const MeasureTree tree(triangles_of(s.mesh, s.normals));
   const CountingBallSum balls(tree);
   CurvatureOptions options;
   options.radii = {1, 0.5};
@@ -178,7 +178,7 @@ TEST(Orders, OneWalkServesAllRadiiAndEachBallOnce) {
 /// The combination by hand, from the fields of single balls: scalars directly, the tensor from its eigenpairs.
 TEST(Orders, CombineTheBallsOfTheirRadii) {
   const Shape s = shapes::torus(3, 1, 40, 24);
-  const MeasureTree balls(measure_triangles(s.mesh, s.normals));
+  const MeasureTree balls(triangles_of(s.mesh, s.normals));
   CurvatureOptions options;
   options.radii = {0.9};
   options.order = 2;
@@ -203,7 +203,7 @@ TEST(Orders, CombineTheBallsOfTheirRadii) {
 
 TEST(Orders, EmptyInnerBallHasNoAnswer) {
   const Shape s = shapes::square(5);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   CurvatureOptions options;
   options.radii = {0.5};
   for (const int order : {1, 2, 3}) {
@@ -254,7 +254,7 @@ TEST(Orders, RefusesRadiusZeroAndOtherOrders) {
   options.radii = {1};
   EXPECT_NO_THROW(validate(options));
   const Shape s = shapes::sphere(1, 1);
-  const BruteForceBallSum balls(measure_triangles(s.mesh, s.normals));
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   for (const int order : {0, 4}) {
     options.order = order;
     EXPECT_THROW(validate(options), Error);

@@ -30,7 +30,7 @@ TEST_P(BeatsTheBestSingleRadius, OnATorusWithNoise) {
   Execution run;
   run.threads = 0;
   const CurvatureField f =
-      estimate_at_own_scale(MeasureTree(measure_triangles(mesh, u)), u, BallDefinition::ExactDensity, run);
+      estimate_at_own_scale(MeasureTree(triangles_of(mesh, u)), u, BallDefinition::ExactDensity, run);
   const std::vector<double>&k_min = scan.field("k_min")->values, &k_max = scan.field("k_max")->values;
   double mean = 0, gaussian = 0, least = 0, most = 0;
   for (std::size_t i = 0; i < f.samples.size(); ++i) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "kappa/curvature/estimate.hpp"
-#include "kappa/curvature/refine.hpp"
+#include "kappa/curvature/shape_operators.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/scan/compare.hpp"
 #include "kappa/scan/scan.hpp"

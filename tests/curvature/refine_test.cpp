@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kappa/curvature/refine.hpp"
+#include "kappa/curvature/shape_operators.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ namespace {
 
 using shapes::Shape;
 
-double total_area(const MeasuredTriangles& t) {
+double total_area(const Triangles& t) {
   double area = 0;
-  for (const MeasureSum& m : t.measures) area += m.area;
+  for (const MeasureSum& m : measure_triangles(t)) area += m.area;
   return area;
 }
 
@@ -57,7 +57,7 @@ Middle middle(const Vec3& x0, const Vec3& u0, const Mat3& s0, const Vec3& x1, co
   Mesh mesh;
   mesh.vertices = {x0, x1, x0 + Vec3(0.1, 2.3, 0.4)};
   mesh.faces.add(0, 1, 2);
-  const MeasuredTriangles t = measure_refined(mesh, {u0, u1, Vec3(1, 2, 3)}, ShapeOperators{s0, s1, s0}, 1);
+  const Triangles t = refined_triangles(mesh, {u0, u1, Vec3(1, 2, 3)}, ShapeOperators{s0, s1, s0}, 1);
   // The part at corner 0 has the middle of its first edge next.
   for (const auto& c : t.corners) {
     if (c[0] == 0) return {t.x[c[1]], t.u[c[1]]};
@@ -69,7 +69,7 @@ TEST(Refine, FlatFacesStayAndKeepTheirSums) {
   Shape s = shapes::square(4);
   s.mesh.weights.assign(s.mesh.faces.size(), 0.5);
   for (const int levels : {0, 1, 3}) {
-    const MeasuredTriangles t = measure_refined(s.mesh, s.normals, levels);
+    const Triangles t = refined_triangles(s.mesh, s.normals, levels);
     EXPECT_EQ(t.size(), s.mesh.faces.size() << (2 * levels));
     EXPECT_EQ(t.vertices, s.mesh.vertices.size());
     EXPECT_NEAR(total_area(t), 0.5, 1e-13);
@@ -82,7 +82,7 @@ TEST(Refine, MiddlesOfASphereAreOfSixthOrder) {
   double before = 0;
   for (const int levels : {2, 3, 4}) {
     const Shape s = shapes::sphere(2, levels);
-    const MeasuredTriangles t = measure_refined(s.mesh, s.normals, sphere_shapes(s), 1);
+    const Triangles t = refined_triangles(s.mesh, s.normals, sphere_shapes(s), 1);
     double off = 0;
     for (std::size_t i = t.vertices; i < t.x.size(); ++i) {
       off = std::max(off, std::abs(t.x[i].norm() - 2));
@@ -101,7 +101,7 @@ struct Offsets {
   double points = 0, normals = 0;
 };
 
-Offsets offsets_from_torus(const MeasuredTriangles& t) {
+Offsets offsets_from_torus(const Triangles& t) {
   Offsets off;
   for (std::size_t i = t.vertices; i < t.x.size(); ++i) {
     const Vec3 from_core = t.x[i] - 3 * Vec3(t.x[i].x(), t.x[i].y(), 0).normalized();
@@ -118,7 +118,7 @@ TEST(Refine, PointsAndNormalsOfATorusAreOfFourthOrder) {
     Offsets before;
     for (const int n : {48, 96}) {
       const Shape s = shapes::torus(3, 1, n, n);
-      const Offsets off = offsets_from_torus(measure_refined(s.mesh, s.normals, torus_shapes(s), levels));
+      const Offsets off = offsets_from_torus(refined_triangles(s.mesh, s.normals, torus_shapes(s), levels));
       if (before.points > 0) {
         EXPECT_GT(before.points / off.points, 15);
         EXPECT_GT(before.normals / off.normals, normal_ratio[levels - 1]);
@@ -156,7 +156,7 @@ TEST(Refine, MiddlesOfPolygonsAreOfFourthOrder) {
     Offsets before;
     for (const int n : {64, 128}) {
       const Shape s = torus_of_polygons(n, corners);
-      MeasuredTriangles t = measure_refined(s.mesh, s.normals, torus_shapes(s), 1);
+      Triangles t = refined_triangles(s.mesh, s.normals, torus_shapes(s), 1);
       // The middles come before all other new points.
       t.x.resize(t.vertices + s.mesh.faces.size() / (corners == 5 ? 2 : 1));
       const Offsets off = offsets_from_torus(t);
@@ -178,7 +178,7 @@ TEST(Refine, MiddlesOfPolygonsWithoutShapeOperatorsAreOfSecondOrder) {
     for (const int n : {64, 128}) {
       const Shape s = torus_of_polygons(n, corners);
       const ShapeOperators unknown(s.normals.size(), Mat3::Constant(kNaN));
-      MeasuredTriangles t = measure_refined(s.mesh, s.normals, unknown, 1);
+      Triangles t = refined_triangles(s.mesh, s.normals, unknown, 1);
       t.x.resize(t.vertices + s.mesh.faces.size() / (corners == 5 ? 2 : 1));
       const Offsets off = offsets_from_torus(t);
       if (before.points > 0) {
@@ -205,7 +205,7 @@ TEST(Refine, MiddlesOfFlatPolygonsAreTheMeansOfTheirCorners) {
     }
     mesh.faces.add(face);
     const ShapeOperators flat(count, Mat3::Zero());
-    const MeasuredTriangles t = measure_refined(mesh, Normals(count, Vec3::UnitZ()), flat, 1);
+    const Triangles t = refined_triangles(mesh, Normals(count, Vec3::UnitZ()), flat, 1);
     EXPECT_LT((t.x[count] - mean).norm(), 1e-14) << count;
     EXPECT_LT((t.u[count] - Vec3::UnitZ()).norm(), 1e-15) << count;
   }
@@ -221,8 +221,8 @@ TEST(Refine, MiddlesOfPolygonsDoNotDependOnTheFirstCorner) {
       std::rotate(face.begin(), face.begin() + 1, face.end());
       turned.mesh.faces.add(face);
     }
-    const MeasuredTriangles a = measure_refined(s.mesh, s.normals, torus_shapes(s), 1);
-    const MeasuredTriangles b = measure_refined(turned.mesh, turned.normals, torus_shapes(s), 1);
+    const Triangles a = refined_triangles(s.mesh, s.normals, torus_shapes(s), 1);
+    const Triangles b = refined_triangles(turned.mesh, turned.normals, torus_shapes(s), 1);
     for (std::size_t i = a.vertices; i < a.vertices + s.mesh.faces.size() / 2; ++i) {
       EXPECT_LT((a.x[i] - b.x[i]).norm(), 1e-15);
       EXPECT_LT((a.u[i] - b.u[i]).norm(), 1e-15);
@@ -271,13 +271,13 @@ TEST(Refine, EdgesThatNoCurveDescribesStayStraight) {
 
 TEST(Refine, MovesAndScalesWithTheMesh) {
   const Shape s = shapes::torus(3, 1, 24, 16);
-  const MeasuredTriangles t = measure_refined(s.mesh, s.normals, 2);
+  const Triangles t = refined_triangles(s.mesh, s.normals, 2);
   const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, -2, 3).normalized()).matrix();
   for (const double scale : {1e-6, 1e6}) {
     Shape moved = s;
     for (Vec3& x : moved.mesh.vertices) x = scale * (turn * x + Vec3(5, -7, 2));
     for (Vec3& u : moved.normals) u = turn * u;
-    const MeasuredTriangles m = measure_refined(moved.mesh, moved.normals, 2);
+    const Triangles m = refined_triangles(moved.mesh, moved.normals, 2);
     ASSERT_EQ(m.size(), t.size());
     for (std::size_t i = 0; i < t.x.size(); ++i) {
       EXPECT_LT((m.x[i] / scale - turn * t.x[i] - Vec3(5, -7, 2)).norm(), 1e-11);
@@ -290,7 +290,7 @@ TEST(Refine, NewPointsComeNearToASphere) {
   double before = 0;
   for (const int levels : {2, 3, 4}) {
     const Shape s = shapes::sphere(2, levels);
-    const MeasuredTriangles t = measure_refined(s.mesh, s.normals, 2);
+    const Triangles t = refined_triangles(s.mesh, s.normals, 2);
     double off = 0, turned = 0;
     for (std::size_t i = t.vertices; i < t.x.size(); ++i) {
       off = std::max(off, std::abs(t.x[i].norm() - 2));
@@ -306,7 +306,7 @@ TEST(Refine, NewPointsComeNearToASphere) {
 }
 
 /// Every edge of a part lies in exactly two parts, ends compared by the bits of their positions.
-void expect_watertight(const Shape& s, const MeasuredTriangles& t) {
+void expect_watertight(const Shape& s, const Triangles& t) {
   using Bits = std::tuple<double, double, double>;
   const auto bits = [&](Index v) { return Bits(t.x[v].x(), t.x[v].y(), t.x[v].z()); };
   std::map<std::pair<Bits, Bits>, int> edges;
@@ -326,18 +326,18 @@ TEST(Refine, KeepsAClosedMeshWatertight) {
   ShapeOperators shapes = torus_shapes(s);
   for (std::size_t i = 0; i < shapes.size(); i += 5) shapes[i] = Mat3::Constant(kNaN);
   for (std::size_t i = 1; i < shapes.size(); i += 7) shapes[i] *= 10;
-  expect_watertight(s, measure_refined(s.mesh, s.normals, 2));
-  expect_watertight(s, measure_refined(s.mesh, s.normals, shapes, 2));
+  expect_watertight(s, refined_triangles(s.mesh, s.normals, 2));
+  expect_watertight(s, refined_triangles(s.mesh, s.normals, shapes, 2));
 }
 
 /// The star of a vertex is made of its whole faces, however many parts they have.
 TEST(Refine, StarsAreThoseOfWholeFaces) {
   Shape s = shapes::torus(3, 1, 24, 16);
   s.mesh.faces.add({0, 1, 17, 16});
-  const MeasuredTriangles coarse = measure_triangles(s.mesh, s.normals);
-  const MeasuredTriangles fine = measure_refined(s.mesh, s.normals, 2);
-  const CurvatureField a = estimate_at_vertices(coarse, s.normals, VertexLimit::Star);
-  const CurvatureField b = estimate_at_vertices(fine, s.normals, VertexLimit::Star);
+  const Triangles coarse = triangles_of(s.mesh, s.normals);
+  const Triangles fine = refined_triangles(s.mesh, s.normals, 2);
+  const CurvatureField a = curvatures_at_vertices(coarse, s.normals, VertexLimit::Star);
+  const CurvatureField b = curvatures_at_vertices(fine, s.normals, VertexLimit::Star);
   for (std::size_t i = 0; i < a.samples.size(); ++i) {
     EXPECT_EQ(b.samples[i].face_count, 16 * a.samples[i].face_count);
     EXPECT_NEAR(b.samples[i].area, a.samples[i].area, 0.05 * a.samples[i].area);
@@ -348,7 +348,7 @@ TEST(Refine, SameBitsForAnyNumberOfThreads) {
   const Shape s = shapes::torus(3, 1, 40, 30);
   Execution run;
   run.threads = 3;
-  const MeasuredTriangles a = measure_refined(s.mesh, s.normals, 2), b = measure_refined(s.mesh, s.normals, 2, run);
+  const Triangles a = refined_triangles(s.mesh, s.normals, 2), b = refined_triangles(s.mesh, s.normals, 2, run);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a.measures[i].mu_sym, b.measures[i].mu_sym);
 }
@@ -366,18 +366,19 @@ TEST(Refine, RoughnessTellsNoisyNormals) {
 
 TEST(Refine, SurvivesTheZoo) {
   for (const shapes::Specimen& specimen : shapes::zoo()) {
-    const MeasuredTriangles t = measure_refined(specimen.mesh, specimen.normals, 1);
-    const MeasuredTriangles coarse = measure_triangles(specimen.mesh, specimen.normals);
+    const Triangles t = refined_triangles(specimen.mesh, specimen.normals, 1);
+    const Triangles coarse = triangles_of(specimen.mesh, specimen.normals);
     EXPECT_EQ(t.size(), 4 * coarse.size()) << specimen.name;
     EXPECT_EQ(t.dropped_faces, coarse.dropped_faces) << specimen.name;
-    for (const MeasureSum& m : t.measures) EXPECT_TRUE(std::isfinite(m.mu0 + m.mu1() + m.mu2)) << specimen.name;
+    for (const MeasureSum& m : measure_triangles(t))
+      EXPECT_TRUE(std::isfinite(m.mu0 + m.mu1() + m.mu2)) << specimen.name;
   }
 }
 
 TEST(Refine, Refuses) {
   const Shape s = shapes::sphere(1, 1);
-  for (const int levels : {-1, kMostRefinements + 1}) EXPECT_THROW(measure_refined(s.mesh, s.normals, levels), Error);
-  EXPECT_THROW(measure_refined(s.mesh, s.normals, ShapeOperators(), 1), Error);
+  for (const int levels : {-1, kMostRefinements + 1}) EXPECT_THROW(refined_triangles(s.mesh, s.normals, levels), Error);
+  EXPECT_THROW(refined_triangles(s.mesh, s.normals, ShapeOperators(), 1), Error);
   CurvatureOptions options;
   options.refine = 1;
   options.quads = QuadMeasures::Bilinear;

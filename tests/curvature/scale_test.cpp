@@ -95,7 +95,7 @@ class OwnScale : public ::testing::TestWithParam<double> {};
 
 TEST_P(OwnScale, IsAboutAsGoodAsTheBestSingleOneAndKnowsItsError) {
   const Surface s = GetParam() > 0 ? noisy_torus(80, GetParam()) : clean_torus(80);
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   const CurvatureField f = estimate_at_own_scale(balls, s.u, BallDefinition::ExactDensity, all_threads());
   const double error = rms(f, s), told = rms_of_errors_told(f);
   EXPECT_LT(error, 1.5 * best_single(balls, s, median_edge_length(s.mesh), 10));
@@ -113,7 +113,7 @@ TEST(OwnScales, GrowsWithTheNoise) {
   double before = 0;
   for (const double amount : {0.0, 0.1, 0.3}) {
     const Surface s = noisy_torus(60, amount);
-    const MeasureTree balls(measure_triangles(s.mesh, s.u));
+    const MeasureTree balls(triangles_of(s.mesh, s.u));
     const double radius =
         typical_radius(estimate_at_own_scale(balls, s.u, BallDefinition::ExactDensity, all_threads()));
     EXPECT_GT(radius, before) << amount;
@@ -134,7 +134,7 @@ bool is_mean_of_some_balls(const MeasureTree& balls, const Surface& s, std::size
 
 TEST(OwnScales, SamplesAreThoseOfTheirRadiusAndOrder) {
   const Surface s = clean_torus(40);
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   CurvatureOptions options;
   options.scale = ScaleChoice::PerPoint;
   const CurvatureField f = estimate_curvatures(balls, s.u, options)[0];
@@ -154,7 +154,7 @@ TEST(OwnScales, SamplesAreThoseOfTheirRadiusAndOrder) {
 
 TEST(OwnScales, SameBitsForAnyNumberOfThreads) {
   const Surface s = noisy_torus(40, 0.3);
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   const CurvatureField one = estimate_at_own_scale(balls, s.u, BallDefinition::ExactDensity);
   for (const int threads : {2, 3}) {
     Execution run;
@@ -171,12 +171,12 @@ TEST(OwnScales, SameBitsForAnyNumberOfThreads) {
 TEST(OwnScales, FollowsTheUnitOfLength) {
   const Surface s = noisy_torus(30, 0.2);
   const CurvatureField a =
-      estimate_at_own_scale(MeasureTree(measure_triangles(s.mesh, s.u)), s.u, BallDefinition::ExactDensity);
+      estimate_at_own_scale(MeasureTree(triangles_of(s.mesh, s.u)), s.u, BallDefinition::ExactDensity);
   for (const double unit : {1e-6, 1e6}) {
     Mesh scaled = s.mesh;
     for (Vec3& x : scaled.vertices) x *= unit;
     const CurvatureField b =
-        estimate_at_own_scale(MeasureTree(measure_triangles(scaled, s.u)), s.u, BallDefinition::ExactDensity);
+        estimate_at_own_scale(MeasureTree(triangles_of(scaled, s.u)), s.u, BallDefinition::ExactDensity);
     for (std::size_t i = 0; i < a.samples.size(); ++i) {
       EXPECT_NEAR(b.samples[i].radius / unit, a.samples[i].radius, 1e-9);
       EXPECT_NEAR(b.samples[i].k.k_max * unit, a.samples[i].k.k_max, 1e-9);
@@ -193,7 +193,7 @@ TEST(OwnScales, PointsWithoutAnAnswerHaveAStatus) {
   s.u[7] = Vec3::Zero();
   const std::size_t n = s.mesh.vertices.size();
   const CurvatureField f =
-      estimate_at_own_scale(MeasureTree(measure_triangles(s.mesh, s.u)), s.u, BallDefinition::ExactDensity);
+      estimate_at_own_scale(MeasureTree(triangles_of(s.mesh, s.u)), s.u, BallDefinition::ExactDensity);
   ASSERT_EQ(f.samples.size(), n);
   EXPECT_EQ(f.samples[n - 2].k.status, PointStatus::Empty);
   EXPECT_EQ(f.samples[n - 1].k.status, PointStatus::Invalid);
@@ -207,12 +207,11 @@ TEST(OwnScales, PointsWithoutAnAnswerHaveAStatus) {
 
 TEST(OwnScales, Refuses) {
   const Surface s = clean_torus(10);
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   EXPECT_THROW(estimate_at_own_scale(balls, Normals(3, Vec3::UnitX()), BallDefinition::ExactDensity), Error);
   Mesh empty;
   empty.vertices = s.mesh.vertices;
-  EXPECT_THROW(estimate_at_own_scale(MeasureTree(measure_triangles(empty, s.u)), s.u, BallDefinition::ExactDensity),
-               Error);
+  EXPECT_THROW(estimate_at_own_scale(MeasureTree(triangles_of(empty, s.u)), s.u, BallDefinition::ExactDensity), Error);
   CurvatureOptions options;
   options.scale = ScaleChoice::PerPoint;
   EXPECT_THROW(estimate_curvatures(balls, s.mesh.vertices, s.u, options), Error) << "centres have no neighbours";
@@ -222,7 +221,7 @@ TEST(OwnScales, Refuses) {
 /// bias does. Each spread is a single draw of the noise (of three numbers), so it tells an error within a factor.
 TEST(StdError, TracksTheErrorOfANoisyTorus) {
   const Surface s = noisy_torus(80, 0.3);
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   CurvatureOptions options;
   options.radii = {0.6};
   for (options.order = 2; options.order <= 3; ++options.order) {
@@ -239,7 +238,7 @@ TEST(StdError, TracksTheErrorOfANoisyTorus) {
 
 TEST(StdError, BoundsTheErrorOfACleanTorus) {
   const Surface s = clean_torus(80);
-  const MeasureTree balls(measure_triangles(s.mesh, s.u));
+  const MeasureTree balls(triangles_of(s.mesh, s.u));
   CurvatureOptions options;
   options.radii = {0.8};
   options.order = 2;

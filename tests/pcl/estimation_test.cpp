@@ -41,7 +41,7 @@ struct Pipeline {
   Vec3 origin;
   std::vector<Vec3> points;
   Normals normals;
-  MeasuredTriangles triangles;
+  Triangles triangles;
 
   explicit Pipeline(const Shape& shape, const Faces& faces = {}, QuadMeasures quads = QuadMeasures::Split)
       : points(points_of(*shape.cloud)), normals(normalised(normals_of(*shape.normals))) {
@@ -54,7 +54,7 @@ struct Pipeline {
       mesh.vertices = points;
       mesh.faces = faces;
     }
-    triangles = measure_triangles(mesh, normals, quads);
+    triangles = triangles_of(mesh, normals, quads);
   }
 
   CurvatureField field(double radius, BallDefinition ball = BallDefinition::ExactDensity) const {

@@ -43,7 +43,7 @@ std::vector<Vec3> places(const Mesh& mesh, std::size_t random_places) {
 TEST(FlannBallSum, EqualsBruteForceOnTheZoo) {
   const std::vector<double> radii = {0.05, 0.3, 1.0, 4.0, 2e4};
   for (const shapes::Specimen& specimen : shapes::zoo()) {
-    const MeasuredTriangles triangles = measure_triangles(specimen.mesh, specimen.normals);
+    const Triangles triangles = triangles_of(specimen.mesh, specimen.normals);
     const FlannBallSum flann(triangles);
     const std::vector<Vec3> centres = places(specimen.mesh, 40);
     for (const BallDefinition ball : kBalls) {
@@ -57,7 +57,7 @@ TEST(FlannBallSum, EqualsBruteForceOnTheZoo) {
 
 TEST(FlannBallSum, EqualsBruteForceOnTorusAtEveryVertexAndSmallBalls) {
   const Shape torus = shapes::torus(3, 1, 40, 24);
-  const MeasuredTriangles triangles = measure_triangles(torus.mesh, torus.normals);
+  const Triangles triangles = triangles_of(torus.mesh, torus.normals);
   const std::vector<double> radii = {0.1, 0.45, 0.9, 2.5, 9.0};
   const FlannBallSum flann(triangles);
   for (const BallDefinition ball : kBalls) {
@@ -69,7 +69,7 @@ TEST(FlannBallSum, EqualsBruteForceOnTorusAtEveryVertexAndSmallBalls) {
 
 TEST(FlannBallSum, RadiiTogetherEqualRadiiAlone) {
   const Shape sphere = shapes::sphere(1, 4);
-  const FlannBallSum flann(measure_triangles(sphere.mesh, sphere.normals));
+  const FlannBallSum flann(triangles_of(sphere.mesh, sphere.normals));
   const std::vector<double> radii = {0.8, 0.1, 0.3};
   const auto together = sums(flann, sphere.mesh.vertices, radii, BallDefinition::ExactDensity);
   for (std::size_t r = 0; r < radii.size(); ++r) {
@@ -85,7 +85,7 @@ TEST(FlannBallSum, RadiiTogetherEqualRadiiAlone) {
 
 TEST(FlannBallSum, ThreadsGiveTheSameBits) {
   const Shape torus = shapes::torus(3, 1, 60, 40);
-  const FlannBallSum flann(measure_triangles(torus.mesh, torus.normals));
+  const FlannBallSum flann(triangles_of(torus.mesh, torus.normals));
   std::vector<std::vector<BallMeasures>> results;
   for (const int threads : {1, 2, 3}) {
     Execution run;
@@ -103,7 +103,7 @@ TEST(FlannBallSum, ThreadsGiveTheSameBits) {
 
 TEST(FlannBallSum, RefusesRadiiThatAreNoBallsAndSurvivesCentresThatAreNoPoints) {
   const Shape sphere = shapes::sphere(1, 2);
-  const FlannBallSum flann(measure_triangles(sphere.mesh, sphere.normals));
+  const FlannBallSum flann(triangles_of(sphere.mesh, sphere.normals));
   for (const double radius : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()})
     EXPECT_THROW(sums(flann, {Vec3::Zero()}, {radius}, BallDefinition::ExactDensity), Error) << radius;
   const auto nothing = sums(flann, {Vec3(kNaN, 0, 0)}, {1.0}, BallDefinition::ExactDensity);
@@ -112,7 +112,7 @@ TEST(FlannBallSum, RefusesRadiiThatAreNoBallsAndSurvivesCentresThatAreNoPoints) 
 
 TEST(FlannBallSum, CanBeCancelled) {
   const Shape torus = shapes::torus(3, 1, 60, 40);
-  const FlannBallSum flann(measure_triangles(torus.mesh, torus.normals));
+  const FlannBallSum flann(triangles_of(torus.mesh, torus.normals));
   std::atomic<bool> stop{false};
   Execution run;
   run.cancel = &stop;

@@ -19,7 +19,7 @@ struct Estimate {
 };
 
 Estimate estimate(const Mesh& mesh, const Normals& u, double radius) {
-  const BruteForceBallSum balls(measure_triangles(mesh, u));
+  const BruteForceBallSum balls(triangles_of(mesh, u));
   Estimate e;
   e.field = estimate_curvatures(balls, mesh.vertices, u, {radius}, BallDefinition::ExactDensity).front();
   e.threshold =
@@ -75,8 +75,8 @@ TEST(Threshold, ScalesWithTheUnits) {
 
 TEST(Threshold, WorksAtRadiusZero) {
   const shapes::Shape torus = shapes::torus(3, 1, 40, 30);
-  const MeasuredTriangles triangles = measure_triangles(torus.mesh, torus.normals);
-  const CurvatureField field = estimate_at_vertices(triangles, torus.normals, VertexLimit::Star);
+  const Triangles triangles = triangles_of(torus.mesh, torus.normals);
+  const CurvatureField field = curvatures_at_vertices(triangles, torus.normals, VertexLimit::Star);
   const BruteForceBallSum balls(triangles);
   const double threshold = estimate_threshold(balls, torus.mesh.vertices, torus.normals, field,
                                               BallDefinition::ExactDensity, median_edge_length(torus.mesh));

@@ -15,7 +15,7 @@ void add_absolute(const MeasureSum& m, MeasureSum& to) {
   for (std::size_t k = 0; k < m.mu_sym.size(); ++k) to.mu_sym[k] += std::abs(m.mu_sym[k]);
 }
 
-ScaledSum all_triangles(const MeasuredTriangles& triangles, const Vec3& centre, double radius, BallDefinition ball) {
+ScaledSum all_triangles(const Triangles& triangles, const Vec3& centre, double radius, BallDefinition ball) {
   ScaledSum s;
   for (std::size_t t = 0; t < triangles.size() && is_finite(centre); ++t) {
     BallMeasures one;
@@ -51,7 +51,7 @@ std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& ce
   return out;
 }
 
-std::vector<ScaledSum> brute_force(const MeasuredTriangles& triangles, const std::vector<Vec3>& centres,
+std::vector<ScaledSum> brute_force(const Triangles& triangles, const std::vector<Vec3>& centres,
                                    const std::vector<double>& radii, BallDefinition ball) {
   std::vector<ScaledSum> out;
   for (const Vec3& centre : centres) {

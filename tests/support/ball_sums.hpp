@@ -22,7 +22,7 @@ struct ScaledSum {
 };
 
 /// The same by going through all triangles for every ball.
-std::vector<ScaledSum> brute_force(const MeasuredTriangles& triangles, const std::vector<Vec3>& centres,
+std::vector<ScaledSum> brute_force(const Triangles& triangles, const std::vector<Vec3>& centres,
                                    const std::vector<double>& radii, BallDefinition ball);
 
 /// Largest difference of `got` in units of the sums of absolute values in that ball, those of the tensor's entries

@@ -45,7 +45,7 @@ std::string with_offset(std::string bytes, const Vec3& offset) {
 
 CurvatureField curvature(const Scan& scan) {
   const Surface s = make_surface(scan, {});
-  const MeasureTree tree(measure_triangles(s.mesh, s.u, QuadMeasures::Split));
+  const MeasureTree tree(triangles_of(s.mesh, s.u, QuadMeasures::Split));
   return estimate_curvatures(tree, s.mesh.vertices, s.u, {4.0}, BallDefinition::ExactDensity).front();
 }
 
@@ -84,7 +84,7 @@ TEST(ScanLaws, AScaleThatIsNoDecimalChangesNothingButTheSize) {
   std::memcpy(bytes.data() + kScale, feet.data(), 3 * sizeof(double));
   const Scan scaled = test::scan_of("a.las", with_offset(bytes, Vec3(4e6, 5e6, 100)));
   const Surface s = make_surface(scaled, {});
-  const MeasureTree tree(measure_triangles(s.mesh, s.u, QuadMeasures::Split));
+  const MeasureTree tree(triangles_of(s.mesh, s.u, QuadMeasures::Split));
   CurvatureField field =
       estimate_curvatures(tree, s.mesh.vertices, s.u, {4 * 0.3048}, BallDefinition::ExactDensity).front();
   for (CurvatureSample& sample : field.samples) {

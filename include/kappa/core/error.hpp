@@ -27,6 +27,20 @@ class Error : public std::runtime_error {
   ErrorCode code_;
 };
 
+/// An option that is out of its range or does not go with another one; code InvalidArgument.
+class OptionError : public Error {
+ public:
+  /// The message is "`option` `reason`", such as "min_coverage needs balls: it has no meaning at radius 0".
+  OptionError(const std::string& option, const std::string& reason)
+      : Error(ErrorCode::InvalidArgument, option + " " + reason), option_(option), reason_(reason) {}
+  /// The member of the options struct that is at fault, by which a program finds its own name for it.
+  const std::string& option() const noexcept { return option_; }
+  const std::string& reason() const noexcept { return reason_; }
+
+ private:
+  std::string option_, reason_;
+};
+
 /// Thrown when `Execution::cancel` was raised; all outputs are untouched.
 class Cancelled : public std::runtime_error {
  public:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kappa/curvature/estimate.hpp"
+#include "kappa/balls/ball_sum.hpp"
+#include "kappa/curvature/field.hpp"
 
 namespace kappa {
 

@@ -15,13 +15,15 @@ namespace kappa {
 /// Cost: about linear in the number of triangles in the ball.
 class FlannBallSum final : public BallSum {
  public:
-  explicit FlannBallSum(MeasuredTriangles triangles);
+  /// @throws Cancelled
+  explicit FlannBallSum(Triangles triangles, const Execution& run = {});
   ~FlannBallSum() override;
-  const MeasuredTriangles& triangles() const override;
+  const Triangles& triangles() const override;
+  MeasureSum measures_of(std::size_t triangle) const override;
 
  private:
-  void do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
-              const Execution& run, const Sink& sink) const override;
+  void do_sum(const std::vector<Vec3>& centres, const BallRadii& radii, BallDefinition ball, const Execution& run,
+              const Sink& sink) const override;
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -3,8 +3,10 @@
 
 #include <utility>
 
+#include "kappa/balls/ball_sum.hpp"
 #include "kappa/core/labels.hpp"
-#include "kappa/curvature/estimate.hpp"
+#include "kappa/curvature/field.hpp"
+#include "kappa/mesh/mesh.hpp"
 
 namespace kappa {
 

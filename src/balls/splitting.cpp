@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kappa/curvature/refine.hpp"
+#include "kappa/balls/splitting.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,19 +9,15 @@
 #include <Eigen/Geometry>
 
 #include "edge_curve.hpp"
-#include "kappa/balls/measure_tree.hpp"
+#include "kappa/balls/measure_options.hpp"
+#include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/core/percentiles.hpp"
-#include "kappa/curvature/estimate.hpp"
 
 namespace kappa {
 namespace {
 
 constexpr std::size_t kBlock = 256;
-
-/// Of the balls that shape operators are measured in: order 2 is as good as 3 there, and needs fewer of them.
-constexpr double kShapeRadius = 2;  ///< median edges
-constexpr int kShapeOrder = 2;
 
 /// The points of a triangle at barycentric coordinates (side - i - j, i, j) / side, i + j <= side.
 class Patch {
@@ -59,23 +55,14 @@ class Patch {
   std::vector<CurvePoint> points_;
 };
 
-MeasureSum whole_measures(const MeasuredTriangles& t, std::size_t i) {
-  const auto& c = t.corners[i];
-  const Vec3 &x0 = t.x[c[0]], &u0 = t.u[c[0]];
-  const Vec3 u_bar = (u0 + t.u[c[1]] + t.u[c[2]]) / 3.0;
-  MeasureSum m = triangle_density_sum(t.x[c[1]] - x0, t.x[c[2]] - x0, t.u[c[1]] - u0, t.u[c[2]] - u0, u_bar);
-  m *= t.weight(i);
-  return m;
-}
-
-CurvePoint corner_of(const MeasuredTriangles& t, const ShapeOperators& shapes, Index v) {
+CurvePoint corner_of(const Triangles& t, const ShapeOperators& shapes, Index v) {
   return {t.x[v], t.u[v].normalized(), shapes[v]};
 }
 
 /// Splits the triangles of `from` into slots of `to`, each triangle its own.
 class Refiner {
  public:
-  Refiner(const MeasuredTriangles& from, const ShapeOperators& shapes, int levels, MeasuredTriangles& to)
+  Refiner(const Triangles& from, const ShapeOperators& shapes, int levels, Triangles& to)
       : from_(from), shapes_(shapes), to_(to), levels_(levels), parts_(std::size_t{1} << (2 * levels)) {
     const std::size_t side = std::size_t{1} << levels;
     added_points_ = (side + 1) * (side + 2) / 2 - 3;
@@ -114,7 +101,7 @@ class Refiner {
     }
   }
 
-  /// Of a face, each vertex of the mesh must be the first corner of one part (see MeasuredTriangles::corners): of a
+  /// Of a face, each vertex of the mesh must be the first corner of one part (see Triangles::corners): of a
   /// triangle all three, of a part of a polygon the first one alone.
   void store_parts(const Patch& patch, std::size_t t, const std::vector<Index>& names) {
     const bool whole_face = from_.corners[t][2] < from_.vertices;
@@ -125,7 +112,6 @@ class Refiner {
       to_.corners[next] = {names[patch.place(i0, j0)], names[patch.place(i1, j1)], names[patch.place(i2, j2)]};
       if (!to_.weights.empty()) to_.weights[next] = from_.weights[t];
       to_.faces[next] = from_.faces[t];
-      to_.measures[next] = whole_measures(to_, next);
       ++next;
     };
     for (std::size_t j = 0; j <= last; ++j) {
@@ -142,26 +128,15 @@ class Refiner {
     }
   }
 
-  const MeasuredTriangles& from_;
+  const Triangles& from_;
   const ShapeOperators& shapes_;
-  MeasuredTriangles& to_;
+  Triangles& to_;
   int levels_;
   std::size_t parts_, added_points_;
 };
 
-void check_levels(int levels, std::size_t triangles) {
-  if (levels < 0 || levels > kMostRefinements)
-    throw Error(ErrorCode::InvalidArgument,
-                "refine = " + std::to_string(levels) + ": give 0 to " + std::to_string(kMostRefinements));
-  constexpr std::size_t kMost = std::size_t{1} << 31;
-  if ((triangles << (2 * levels)) >= kMost)
-    throw Error(ErrorCode::InvalidArgument, "refine = " + std::to_string(levels) + " makes " +
-                                                std::to_string(triangles << (2 * levels)) +
-                                                " triangles, more than 2^31 - 1: give less");
-}
-
 /// Moves the barycentres of polygons to the surface, with the normals and shape operators there.
-void lift_barycentres(MeasuredTriangles& t, ShapeOperators& shapes) {
+void lift_barycentres(Triangles& t, ShapeOperators& shapes) {
   shapes.resize(t.x.size());
   std::vector<CurvePoint> corners;
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -177,9 +152,9 @@ void lift_barycentres(MeasuredTriangles& t, ShapeOperators& shapes) {
   }
 }
 
-MeasuredTriangles refined(MeasuredTriangles coarse, ShapeOperators shapes, int levels, const Execution& run) {
+Triangles refined(Triangles coarse, ShapeOperators shapes, int levels, const Execution& run) {
   lift_barycentres(coarse, shapes);
-  MeasuredTriangles fine;
+  Triangles fine;
   Refiner refiner(coarse, shapes, levels, fine);
   fine.vertices = coarse.vertices;
   fine.dropped_faces = coarse.dropped_faces;
@@ -190,62 +165,35 @@ MeasuredTriangles refined(MeasuredTriangles coarse, ShapeOperators shapes, int l
   fine.corners.resize(coarse.size() * refiner.parts());
   fine.weights.resize(coarse.weights.empty() ? 0 : fine.corners.size());
   fine.faces.resize(fine.corners.size());
-  fine.measures.resize(fine.corners.size());
   parallel_for(coarse.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) { refiner.split(begin, end); });
   return fine;
 }
 
-Mat3 shape_of(const Curvatures& k) {
-  if (k.status != PointStatus::Valid) return Mat3::Constant(kNaN);
-  return k.k_min * k.dir_min * k.dir_min.transpose() + k.k_max * k.dir_max * k.dir_max.transpose();
-}
-
-/// Shape operators at the vertices of the mesh that the triangles were made of.
-ShapeOperators measured_shapes(MeasuredTriangles triangles, const Normals& normals, double radius,
-                               const Execution& run) {
-  CurvatureOptions options;
-  options.radii = {radius};
-  options.order = kShapeOrder;
-  const MeasureTree balls(std::move(triangles), Precision::Double, stage(run, 0.0, 0.1));
-  const std::vector<CurvatureField> fields = estimate_curvatures(balls, normals, options, stage(run, 0.1, 1.0));
-  ShapeOperators shapes;
-  shapes.reserve(normals.size());
-  for (const CurvatureSample& s : fields.front().samples) shapes.push_back(shape_of(s.k));
-  return shapes;
-}
-
 }  // namespace
 
-ShapeOperators estimate_shape_operators(const Mesh& mesh, const Normals& normals, const Execution& run) {
-  MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.1));
-  const double radius = kShapeRadius * median_edge_length(mesh);
-  if (!(radius > 0)) return ShapeOperators(normals.size(), Mat3::Constant(kNaN));
-  ShapeOperators shapes = measured_shapes(coarse, normals, radius, stage(run, 0.1, 0.3));
-  return measured_shapes(refined(std::move(coarse), std::move(shapes), 1, stage(run, 0.3, 0.5)), normals, radius,
-                         stage(run, 0.5, 1));
+void check_refinement(int levels, std::size_t triangles) {
+  check_range("refine", levels, 0, kMostRefinements, "the times that a face is split in four");
+  constexpr std::size_t kMost = std::size_t{1} << 31;
+  if ((triangles << (2 * levels)) >= kMost)
+    throw Error(ErrorCode::InvalidArgument, "refine = " + std::to_string(levels) + " makes " +
+                                                std::to_string(triangles << (2 * levels)) +
+                                                " triangles, more than 2^31 - 1: give less");
 }
 
-MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, const ShapeOperators& shapes, int levels,
-                                  const Execution& run) {
-  check_levels(levels, mesh.faces.corners().size());
-  if (shapes.size() != mesh.vertices.size())
-    throw Error(ErrorCode::InvalidArgument, std::to_string(shapes.size()) + " shape operators for " +
-                                                std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
-  MeasuredTriangles coarse = measure_triangles(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.2));
+Triangles refined_triangles(const Mesh& mesh, const Normals& normals, const ShapeOperators& shapes, int levels,
+                            const Execution& run) {
+  check_refinement(levels, mesh.faces.corners().size());
+  check_one_each(shapes.size(), "shape operator", mesh.vertices.size(), "vertex");
+  Triangles coarse = triangles_of(mesh, normals, QuadMeasures::Split, stage(run, 0, 0.2));
   return levels == 0 ? coarse : refined(std::move(coarse), shapes, levels, stage(run, 0.2, 1));
 }
 
-MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, int levels, const Execution& run) {
-  check_levels(levels, mesh.faces.corners().size());
-  if (levels == 0) return measure_triangles(mesh, normals, QuadMeasures::Split, run);
-  const ShapeOperators shapes = estimate_shape_operators(mesh, normals, stage(run, 0, 0.6));
-  return measure_refined(mesh, normals, shapes, levels, stage(run, 0.6, 1));
-}
-
-double normal_roughness(const Mesh& mesh, const Normals& normals) {
+double normal_roughness(const Mesh& mesh, const Normals& normals, const Execution& run) {
   constexpr double kLeastTurn = 1e-6;
+  constexpr std::size_t kMany = 65536;
   std::vector<double> ratios;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (f % kMany == 0) check_cancelled(run);
     const Faces::View face = mesh.faces[f];
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Index a = face[i], b = face[(i + 1) % face.size()];

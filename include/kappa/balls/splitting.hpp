@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kappa/balls/ball_sum.hpp"
+#include <vector>
+
+#include "kappa/balls/triangles.hpp"
 
 namespace kappa {
-
-/// Most times a face is split in four.
-inline constexpr int kMostRefinements = 6;
 
 /// Of each vertex, the derivative of the normal as a symmetric matrix, du = S dx: eigenvalues k_min and k_max on the
 /// tangent plane, and 0 along the normal. NaN where it is not known. Units: 1/length.
 using ShapeOperators = std::vector<Mat3>;
 
-/// Shape operators good enough to refine with, from the curvatures of order 2 of balls of two median edges: first on
-/// the faces as they are, then on those split once with what came out. NaN where a ball gives none, and everywhere if
-/// no edge has a length. A third time gains nothing, and neither radius nor order matter much: docs/accuracy.md.
-/// @throws Error as `measure_triangles` does.
-ShapeOperators estimate_shape_operators(const Mesh& mesh, const Normals& normals, const Execution& run = {});
-
-/// The triangles of `mesh` as `measure_triangles` gives them, each split in 4^levels on a curved patch through its
+/// The triangles of `mesh` as `triangles_of` gives them, each split in 4^levels on a curved patch through its
 /// corners; parts keep the weight of their face. A polygon of four corners or more is first split where the
 /// curves below between its corners have their middle: of four, in the middle of the curve between those of the
 /// diagonals, hence as near to the surface as the points of edges are.
@@ -43,21 +36,22 @@ ShapeOperators estimate_shape_operators(const Mesh& mesh, const Normals& normals
 ///
 /// On a smooth surface with exact S, points are off by O(|e|^4), on spheres by O(|e|^6), and normals by O(|e|^4) at the
 /// first level and, by the mean of S, O(|e|^3) at the others.
-/// Nothing but the parts is stored: 4^levels times the memory of `measure_triangles`, and up to three times as many
+/// Nothing but the parts is stored: 4^levels times the memory of `triangles_of`, and up to three times as many
 /// vertices as the mesh would have, since faces do not share the new ones. x[0..#V) are the vertices of the mesh.
 /// @throws Error InvalidArgument if levels is not 0 to kMostRefinements, there would be 2^31 parts or more, or shapes
-/// are not one a vertex; and as `measure_triangles` does.
-MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, const ShapeOperators& shapes, int levels,
-                                  const Execution& run = {});
+/// are not one a vertex; and as `triangles_of` does.
+Triangles refined_triangles(const Mesh& mesh, const Normals& normals, const ShapeOperators& shapes, int levels,
+                            const Execution& run = {});
 
-/// The same with the shape operators of `estimate_shape_operators`.
-MeasuredTriangles measure_refined(const Mesh& mesh, const Normals& normals, int levels, const Execution& run = {});
+/// Checks a number of levels for faces with `corners` corners in all.
+/// @throws Error InvalidArgument if levels is not 0 to kMostRefinements or there would be 2^31 parts or more.
+void check_refinement(int levels, std::size_t corners);
 
 /// How far the normals are from those of a smooth surface through the vertices: the median over the edges of
 /// |<e, ni + nj>| / (|e| |nj - ni|), in [0, 2]. A cubic through two points and their normals needs an edge that leans
 /// at both ends alike: the sum is of third order in the length of the edge, the difference of first. NaN without edges
 /// along which the normal turns.
-double normal_roughness(const Mesh& mesh, const Normals& normals);
+double normal_roughness(const Mesh& mesh, const Normals& normals, const Execution& run = {});
 
 /// Roughness above which noise is more than what refinement could gain.
 inline constexpr double kRoughNormals = 0.25;
