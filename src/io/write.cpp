@@ -130,7 +130,7 @@ void write_regions(const std::string& path, const Segmentation& segmentation, co
       for (const double value : {region.area, region.border, region.mean_curvature, region.gaussian_curvature,
                                  centroid.x(), centroid.y(), centroid.z()}) {
         line += ',';
-        io::append_decimal(line, value);
+        append_decimal(line, value);
       }
       out << line << '\n';
     }

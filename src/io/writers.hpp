@@ -4,6 +4,7 @@
 #include <ostream>
 #include <string>
 
+#include "kappa/core/decimal.hpp"
 #include "kappa/core/execution.hpp"
 #include "kappa/mesh/mesh.hpp"
 #include "kappa/scan/scan.hpp"
@@ -26,9 +27,6 @@ inline double coordinate(const Scan& scan, std::size_t point, int axis) {
 
 /// `name` without the characters that end a word in one of the formats.
 std::string safe_name(const std::string& name);
-
-/// Shortest decimal that gives back `value`; "nan" for any NaN.
-void append_decimal(std::string& text, double value);
 
 /// Calls `row(i)` for each of `count` rows, with progress and cancellation between blocks.
 template <class Row>

@@ -134,6 +134,13 @@ HeightGrid slope_of(const HeightGrid& surface, double cell) {
 
 }  // namespace
 
+const std::vector<Named<GroundMethod>>& names_of(GroundMethod) {
+  static const std::vector<Named<GroundMethod>> names = {
+      {GroundMethod::Morphological, "smrf", "a simple morphological filter"},
+      {GroundMethod::Progressive, "pmf", "PCL's progressive morphological filter"}};
+  return names;
+}
+
 std::vector<char> find_ground(const std::vector<Vec3>& points, const GroundOptions& options, const Execution& run) {
   check(options);
   const Plan plan(points, options.cell);

@@ -33,20 +33,6 @@ const std::vector<std::string>& writable_extensions();
 /// called before a long computation.
 void check_writable(const std::string& path);
 
-/// Fields of DESIGN.md in their order: mean_curvature gaussian_curvature k_min k_max dir_min_x ... mu0
-/// mu1 mu2 area coverage face_count status, each followed by `suffix`; where bias was cancelled also
-/// std_error, and where every point has its own scale also radius order. Value i is that of sample order[i], or without
-/// an order of sample i.
-/// @throws Error InvalidArgument if there is an order of another size.
-std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix = "",
-                                    const std::vector<Index>& order = {}, const Execution& run = {});
-
-/// `label region`.
-std::vector<Field> segment_fields(const Segmentation& segmentation);
-
-/// "_r<value>" with the shortest decimal that gives back the value.
-std::string radius_suffix(double radius);
-
 /// Table of the regions as CSV: region label points area border mean_curvature gaussian_curvature
 /// centroid_x centroid_y centroid_z (in the coordinates of the file).
 void write_regions(const std::string& path, const Segmentation& segmentation, const Vec3& origin);

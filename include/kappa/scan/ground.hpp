@@ -4,9 +4,17 @@
 #include <vector>
 
 #include "kappa/core/execution.hpp"
+#include "kappa/core/names.hpp"
 #include "kappa/core/types.hpp"
 
 namespace kappa {
+
+/// How the ground is found.
+enum class GroundMethod {
+  Morphological,  ///< `find_ground`
+  Progressive     ///< PCL's progressive morphological filter, for comparison
+};
+const std::vector<Named<GroundMethod>>& names_of(GroundMethod);
 
 /// Parameters of `find_ground`. Lengths are in units of the points; the defaults are for metres.
 struct GroundOptions {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/writers.hpp"
+#include "kappa/core/decimal.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
@@ -14,20 +15,6 @@ std::string safe_name(const std::string& name) {
     if (separates) c = '_';
   }
   return safe;
-}
-
-void append_decimal(std::string& text, double value) {
-  if (std::isnan(value)) {
-    text += "nan";
-    return;
-  }
-  // Left to itself to_chars writes 5e+05 for 500000.
-  const double size = std::abs(value);
-  const bool plain = size == 0 || (size >= 1e-4 && size < 1e15);
-  char buffer[64];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value,
-                                          plain ? std::chars_format::fixed : std::chars_format::scientific);
-  text.append(buffer, end);
 }
 
 void write_csv(std::ostream& out, const Scan& scan, const Execution& run) {

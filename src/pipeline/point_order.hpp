@@ -6,7 +6,7 @@
 #include "kappa/scan/scan.hpp"
 #include "kappa/surface/surface.hpp"
 
-namespace kappa::app {
+namespace kappa {
 
 /// Puts the points of a cloud along a space-filling curve, and what was made of them back in the order of the file.
 /// Neighbours then lie side by side in memory through all stages: on a cloud in random order that halves the time.
@@ -33,4 +33,4 @@ class PointOrder {
   std::vector<Index> file_;  ///< place in the file of each point of the new order; empty if they are the same
 };
 
-}  // namespace kappa::app
+}  // namespace kappa

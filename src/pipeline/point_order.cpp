@@ -8,7 +8,7 @@
 #include "kappa/core/spatial_order.hpp"
 #include "kappa/scan/scan.hpp"
 
-namespace kappa::app {
+namespace kappa {
 namespace {
 
 /// Moves values[i] to values[to[i]] along the cycles of the permutation, without a copy of them all. The values come
@@ -83,4 +83,4 @@ void PointOrder::restore(CurvatureField& field) const {
   if (changes()) scatter(field.samples, file_);
 }
 
-}  // namespace kappa::app
+}  // namespace kappa

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kappa/core/error.hpp"
-#include "kappa/io/write.hpp"
-#include "kappa/scan/scan.hpp"
-#include "writers.hpp"
+#include "kappa/pipeline/fields.hpp"
+
+#include "kappa/core/checks.hpp"
+#include "kappa/core/decimal.hpp"
 
 namespace kappa {
 
@@ -85,9 +85,7 @@ std::vector<Entry> entries_of(const CurvatureField& field) {
 std::vector<Field> curvature_fields(const CurvatureField& field, const std::string& suffix,
                                     const std::vector<Index>& order, const Execution& run) {
   const std::size_t count = field.samples.size();
-  if (!order.empty() && order.size() != count)
-    throw Error(ErrorCode::InvalidArgument, "an order of " + std::to_string(order.size()) + " for " +
-                                                std::to_string(count) + " samples: give one of all");
+  if (!order.empty()) check_one_each(order.size(), "place", count, "sample");
   const std::vector<Entry> entries = entries_of(field);
   std::vector<Field> fields(entries.size());
   parallel_for(fields.size(), 1, stage(run, 0.0, 0.0), [&](std::size_t c, std::size_t, int) {
@@ -110,9 +108,7 @@ std::vector<Field> segment_fields(const Segmentation& segmentation) {
 }
 
 std::string radius_suffix(double radius) {
-  std::string suffix = "_r";
-  io::append_decimal(suffix, radius);
-  return suffix;
+  return "_r" + decimal(radius);
 }
 
 }  // namespace kappa
