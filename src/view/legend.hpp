@@ -10,30 +10,30 @@
 
 namespace kappa::view_detail {
 
-/// Where a legend is drawn, in pixels, and how large its text is (1 = text of 22 pixels).
+/// Where a legend is drawn.
 struct LegendPlace {
-  int width, height;
-  double scale;
+  int width, height;  ///< of the strip, in pixels
+  double scale;       ///< text is 22 `scale` pixels high
   Rgb text{30, 32, 36};
 };
 
-/// What a colour bar tells about a field beside its colours.
+/// What a colour bar tells about a field beside its colours. Points without finite coordinates do not count.
 struct FieldFacts {
   double min = 0, max = 0;   ///< of the finite values
-  std::size_t values = 0;    ///< finite
-  std::size_t no_value = 0;  ///< points drawn without a value
+  std::size_t values = 0;    ///< number of finite values
+  std::size_t no_value = 0;  ///< number of points without a finite value
 };
-/// Facts of the values at the points with finite coordinates.
 FieldFacts field_facts(const std::vector<double>& values, const std::vector<Vec3>& points);
 
-/// A colour bar with title, unit and ticks. An end is pointed where values lie beyond it, and the extreme is told.
+/// Draws a colour bar with title, unit and ticks. Where values lie beyond an end, the bar has a point there, and the
+/// extreme value is told.
 void draw_colour_bar(Panel& panel, const LegendPlace& place, const ScalarStyle& style, const ColourRange& range,
                      const FieldFacts& facts);
 
-/// The labels that occur, with colours, names and shares.
+/// Draws the labels that occur, with colours, names and shares.
 void draw_label_legend(Panel& panel, const LegendPlace& place, const std::vector<Label>& labels);
 
-/// "12.3 %", "< 0.1 %".
+/// The share of a part as text: "12.3 %", "< 0.1 %", "> 99.9 %".
 std::string percent(std::size_t part, std::size_t whole);
 
 }  // namespace kappa::view_detail

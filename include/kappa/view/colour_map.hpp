@@ -11,11 +11,12 @@ namespace kappa {
 
 /// How values become colours.
 enum class ColourMap {
-  Diverging,  ///< blue below 0, light grey at 0, red above: signed fields such as curvatures
-  Sequential  ///< dark violet over green to yellow: fields without a sign
+  Diverging,  ///< for fields with a sign, such as curvatures: blue at the low end, light grey in the middle, red at
+              ///< the high end
+  Sequential  ///< for fields without a sign: dark violet at the low end, then green, yellow at the high end
 };
 
-/// Values that get the colours at the ends of a map; those beyond are clipped to them.
+/// The values that get the colours at the two ends of a map. A value beyond an end gets the colour of that end.
 struct ColourRange {
   double low = 0, high = 1;
 };
@@ -23,32 +24,38 @@ struct ColourRange {
 /// What a field is called and how it is coloured.
 struct ScalarStyle {
   std::string name;  ///< title of the colour bar, for instance "mean curvature"
-  std::string unit;  ///< shown after the name, for instance "1/m"; may be empty
+  std::string unit;  ///< shown below the name, for instance "1/m"; may be empty
   ColourMap map = ColourMap::Diverging;
-  /// Empty for an automatic range, see `colour_range`.
-  std::optional<ColourRange> range;
-  /// Percentile in (50, 100] the automatic range is clipped at, so that a few outliers do not bleach the picture.
+  std::optional<ColourRange> range;  ///< empty for an automatic one, see `colour_range`
+  /// In (50, 100]: the automatic range ends at this percentile of the values, so that a few outliers do not bleach the
+  /// picture.
   double percentile = 98;
 };
 
-/// Colour of the faces and points that have no value (NaN).
+/// Colour of faces and points without a value (NaN).
 inline constexpr Rgb kNoValueColour{120, 120, 126};
 
-/// Colour at `t` in [0, 1], clamped. Both maps are even steps to the eye (made in CIELAB); the diverging one has
-/// its neutral colour at 0.5.
+/// Colour of a map at `t`: 0 is its low end, 1 its high end, and `t` outside [0, 1] is clamped. Equal steps of `t` look
+/// equal to the eye (the maps are made in CIELAB). The diverging map has its light grey at 0.5.
 Rgb map_colour(ColourMap map, double t);
 
-/// Range of the colours of `values`: `style.range` if given, else from the finite values: [-m, m] with m the
-/// percentile of |values| for a diverging map, [100 - p, p] percentiles for a sequential one. A range of zero width
-/// is widened about its value; without a finite value it is [-1, 1] or [0, 1].
-/// @throws Error InvalidArgument if a given range is not finite or not low < high, or the percentile out of range.
+/// Range of the colours for `values`: `style.range` if it is given, otherwise an automatic range from the finite
+/// values.
+///
+/// Let p be `style.percentile`. (a) Diverging map: [-m, m], where m is the p-th percentile of |value|. If m is 0, it is
+/// the largest |value|; if that is 0 too or there is no finite value, m is 1. (b) Sequential map: from the percentile
+/// 100 - p to the percentile p. If both are equal, from the least to the greatest value. If all values are equal to v,
+/// v - |v|/2 to v + |v|/2, or [-0.5, 0.5] for v = 0. Without a finite value, [0, 1].
+/// @throws Error InvalidArgument if a given range is not finite or not low < high, or the percentile not in (50, 100].
 ColourRange colour_range(const std::vector<double>& values, const ScalarStyle& style);
 
-/// Between 4 and 11 round values (1, 2 or 5 times a power of ten apart) in the range, 0 among them if it is inside.
+/// Between 4 and 11 values in a range, all multiples of one step, which is 1, 2 or 5 times a power of ten. 0 is among
+/// them if it is in the range.
 std::vector<double> round_ticks(const ColourRange& range);
 
-/// Shortest texts that tell the ticks apart, all with the same number of decimals, or of significant digits with an
-/// exponent where the values are above 1e5 or below 1e-3.
+/// The shortest texts that tell evenly spaced ticks apart. (a) If the largest |tick| is in [1e-3, 1e5), all texts have
+/// the same number of decimals. (b) Otherwise they have an exponent ("2.0e-5") and decimals down to the step of the
+/// ticks.
 std::vector<std::string> tick_texts(const std::vector<double>& ticks);
 
 }  // namespace kappa

@@ -5,18 +5,22 @@
 
 namespace kappa {
 
-/// True if the X server that `DISPLAY` names answers and can draw (has GLX). False if `DISPLAY` is not set.
+/// Whether the X server that the environment variable `DISPLAY` names answers and can draw (has the extension GLX).
+/// False if `DISPLAY` is not set.
 bool display_is_usable();
 
-/// Sees to it that there is an X server to draw on for as long as the object lives.
+/// Provides an X server to draw on for as long as the object lives.
 ///
-/// If `DISPLAY` names a usable server, nothing is done; else Xvfb is started on a free number and `DISPLAY` set to
-/// it. The destructor ends that server and restores `DISPLAY`; the server also ends with the thread that started it.
-/// Changes the environment: to be made while no other thread reads it. Hold one around several figures to start
-/// one server for all.
+/// If `DISPLAY` names a usable server, the object does nothing. Otherwise it starts Xvfb on a free number and sets
+/// `DISPLAY` to that. The destructor ends the server and restores `DISPLAY`. The server also ends when the thread that
+/// made the object ends.
+///
+/// Constructor and destructor change the environment: call them while no other thread reads it. To draw several figures
+/// on one server, hold an object around them.
 class VirtualDisplay {
  public:
-  /// @throws Error Unavailable if a server is needed and Xvfb is not installed or does not start.
+  /// @throws Error Unavailable if a server is needed and Xvfb is not installed, ends at once, or is not ready after 30
+  /// seconds.
   VirtualDisplay();
   ~VirtualDisplay();
   VirtualDisplay(const VirtualDisplay&) = delete;
@@ -24,7 +28,7 @@ class VirtualDisplay {
 
   /// Whether this object started a server.
   bool started() const { return server_ > 0; }
-  /// Name of the display, such as ":99".
+  /// Name of the display that is drawn on, such as ":99".
   const std::string& name() const { return name_; }
 
  private:
