@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "checks.hpp"
@@ -9,6 +8,7 @@
 #include "kappa/io/read.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/view/figure.hpp"
+#include "kappa/view/view_data.hpp"
 #include "surface_options.hpp"
 #include "up_axis.hpp"
 
@@ -85,16 +85,10 @@ const Field& choose_field(const RenderArguments& arguments, const Scan& scan) {
                   (names.empty() ? "it has none: run `kappa curvature` on it first" : "give one of:" + names));
 }
 
-/// "mean curvature" for mean_curvature, with the unit the field has.
 ScalarStyle style_of(const RenderArguments& arguments, const Field& field) {
-  ScalarStyle style = arguments.style;
-  style.name = field.name;
-  std::replace(style.name.begin(), style.name.end(), '_', ' ');
-  const bool gaussian = field.name.rfind("gaussian", 0) == 0;
-  const bool curvature = gaussian || field.name.rfind("mean_curvature", 0) == 0 || field.name.rfind("k_m", 0) == 0;
-  if (curvature) style.unit = "1/" + (arguments.unit.empty() ? "length" : arguments.unit) + (gaussian ? "\u00b2" : "");
-  const bool has_sign = std::any_of(field.values.begin(), field.values.end(), [](double v) { return v < 0; });
-  if (arguments.sequential || (!curvature && !has_sign)) style.map = ColourMap::Sequential;
+  ScalarStyle style = field_style(field, arguments.unit.empty() ? "length" : arguments.unit);
+  style.percentile = arguments.style.percentile;
+  if (arguments.sequential) style.map = ColourMap::Sequential;
   if (!arguments.range.empty()) {
     const std::vector<double> range = parse_numbers("--range", arguments.range, 2);
     style.range = ColourRange{range[0], range[1]};
@@ -103,14 +97,8 @@ ScalarStyle style_of(const RenderArguments& arguments, const Field& field) {
 }
 
 std::vector<Label> labels_of(const RenderArguments& arguments, const Scan& scan) {
-  const Field* field = scan.field(arguments.field.empty() ? "label" : arguments.field);
-  if (!field) throw Error(ErrorCode::InvalidData, arguments.input + " has no labels; run `kappa segment` on it first");
-  std::vector<Label> labels;
-  for (const double value : field->values) {
-    const bool known = value >= 0 && value < kLabelCount && value == std::floor(value);
-    labels.push_back(known ? static_cast<Label>(static_cast<int>(value)) : Label::Undefined);
-  }
-  return labels;
+  if (const Field* field = scan.field(arguments.field.empty() ? "label" : arguments.field)) return field_labels(*field);
+  throw Error(ErrorCode::InvalidData, arguments.input + " has no labels; run `kappa segment` on it first");
 }
 
 void run_render(const RenderArguments& arguments) {

@@ -11,23 +11,9 @@
 #include "kappa/mesh/mesh.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/view/figure.hpp"
+#include "kappa/view/view_data.hpp"
 
 namespace kappa {
-
-/// A field the viewer can show, one value a point.
-struct NamedValues {
-  ScalarStyle style;
-  std::vector<double> values;
-};
-
-/// What the viewer shows for one radius. Every vector but `fields` has one entry a point or is empty.
-struct ViewData {
-  double radius = 0;
-  std::vector<NamedValues> fields;  ///< the same names in the same order at every radius; at least one
-  std::vector<Label> labels;
-  std::vector<PointStatus> status;
-  DirectionFields directions;
-};
 
 /// Computes what is shown at a radius. Called on a thread of its own, one call at a time, with progress and cancel
 /// set in `run`, threads = 0. What it throws is shown in the window.
