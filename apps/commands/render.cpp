@@ -9,6 +9,7 @@
 #include "kappa/scan/scan.hpp"
 #include "kappa/view/figure.hpp"
 #include "kappa/view/view_data.hpp"
+#include "progress.hpp"
 #include "surface_options.hpp"
 #include "up_axis.hpp"
 
@@ -19,39 +20,52 @@ struct RenderArguments {
   std::string input, output, field, range, camera, size, unit;
   std::optional<UpAxis> up;
   FigureOptions figure;
-  ScalarStyle style;
+  double percentile = ScalarStyle().percentile;
   bool labels = false, edges = false, sequential = false, quiet = false;
 };
 
 void declare_style(CLI::App& command, RenderArguments& arguments) {
-  command.add_option("--field", arguments.field, "Field to draw; default: mean_curvature, else the first of the file");
-  command.add_flag("--labels", arguments.labels, "Draw the labels of `kappa segment` with a legend");
-  command.add_option("--range", arguments.range, "LOW,HIGH of the colours; default: from percentiles, about 0");
-  command.add_option("--percentile", arguments.style.percentile, "Percentile the colours are clipped at")
+  command.add_option("--field", arguments.field,
+                     "Field to draw; default: mean_curvature, or the first field of a file that has none");
+  command.add_flag("--labels", arguments.labels,
+                   "Draw the labels that `kappa segment` has written; --field names another field of labels");
+  command.add_option("--range", arguments.range,
+                     "LOW,HIGH: values that get the end colours; default: chosen by --percentile, with 0 in the middle "
+                     "for fields with a sign");
+  command
+      .add_option("--percentile", arguments.percentile,
+                  "The colours end at this percentile of the values, so that outliers do not bleach the picture")
       ->check(CLI::Range(50.1, 100.0))
       ->capture_default_str();
-  command.add_flag("--sequential", arguments.sequential, "A colour map for fields without a sign");
-  command.add_option("--unit", arguments.unit, "Unit of length of the data, shown as 1/unit");
-  command.add_option("--directions", arguments.figure.directions, "Principal directions: none, min, max, both")
+  command.add_flag("--sequential", arguments.sequential, "Use the colours for fields without a sign");
+  command.add_option("--unit", arguments.unit, "Unit of length of the data, such as m; the legend then says 1/m");
+  command.add_option("--directions", arguments.figure.directions, "Principal directions to draw: none, min, max, both")
       ->transform(choice<Directions>(
           {{"none", Directions::None}, {"min", Directions::Min}, {"max", Directions::Max}, {"both", Directions::Both}}))
       ->option_text("WHICH=none");
 }
 
 void declare_render(CLI::App& command, RenderArguments& arguments) {
-  command.add_option("input", arguments.input, "Result of `kappa curvature` or `kappa segment`, or any scan")
+  command
+      .add_option("input", arguments.input, "Result of `kappa curvature` or `kappa segment`, or any scan with a field")
       ->required();
-  command.add_option("output", arguments.output, "Picture: .png")->required();
+  command.add_option("output", arguments.output, "Picture to write: .png")->required();
   declare_style(command, arguments);
-  command.add_option("--title", arguments.figure.title, "Text above the picture");
-  command.add_option("--camera", arguments.camera, "AZIMUTH,ELEVATION in degrees; default: chosen from the shape");
+  command.add_option("--title", arguments.figure.title, "Text in the upper left corner");
+  command.add_option(
+      "--camera", arguments.camera,
+      "AZIMUTH,ELEVATION of the eye in degrees: counter-clockwise from the south, and above the horizon; "
+      "default: chosen from the shape");
   declare_up_axis(command, arguments.up);
-  command.add_option("--size", arguments.size, "WIDTH,HEIGHT in pixels")->option_text("W,H=1600,1000");
-  command.add_option("--point-size", arguments.figure.point_size, "Diameter of points in pixels, 0 to close the gaps")
+  command.add_option("--size", arguments.size, "WIDTH,HEIGHT of the picture in pixels, each in 64 to 8192")
+      ->option_text("W,H=1600,1000");
+  command
+      .add_option("--point-size", arguments.figure.point_size,
+                  "Diameter of the points of a cloud in pixels; 0 makes them as wide as the gaps")
       ->check(not_negative())
       ->capture_default_str();
   command.add_flag("--edges", arguments.edges, "Draw the edges of the faces");
-  command.add_flag("--quiet", arguments.quiet, "Say nothing");
+  command.add_flag("--quiet", arguments.quiet, "No progress bar and no message");
 }
 
 FigureOptions figure_options(const RenderArguments& arguments, const Scan& scan) {
@@ -87,7 +101,7 @@ const Field& choose_field(const RenderArguments& arguments, const Scan& scan) {
 
 ScalarStyle style_of(const RenderArguments& arguments, const Field& field) {
   ScalarStyle style = field_style(field, arguments.unit.empty() ? "length" : arguments.unit);
-  style.percentile = arguments.style.percentile;
+  style.percentile = arguments.percentile;
   if (arguments.sequential) style.map = ColourMap::Sequential;
   if (!arguments.range.empty()) {
     const std::vector<double> range = parse_numbers("--range", arguments.range, 2);
@@ -102,21 +116,25 @@ std::vector<Label> labels_of(const RenderArguments& arguments, const Scan& scan)
 }
 
 void run_render(const RenderArguments& arguments) {
-  const Scan scan = read_scan(arguments.input);
+  Stages stages(0, 0, arguments.quiet);
+  const Scan scan = stages.run("read", [&](const Execution&) { return read_scan(arguments.input); });
   const FigureOptions options = figure_options(arguments, scan);
-  if (arguments.labels) {
-    draw_labels(arguments.output, scan, labels_of(arguments, scan), options);
-  } else {
-    const Field& field = choose_field(arguments, scan);
-    draw_scalar(arguments.output, scan, field.values, style_of(arguments, field), options);
-  }
+  stages.run("draw", [&](const Execution& run) {
+    if (arguments.labels) {
+      draw_labels(arguments.output, scan, labels_of(arguments, scan), options, run);
+    } else {
+      const Field& field = choose_field(arguments, scan);
+      draw_scalar(arguments.output, scan, field.values, style_of(arguments, field), options, run);
+    }
+  });
   if (!arguments.quiet) std::printf("written     %s\n", arguments.output.c_str());
 }
 
 }  // namespace
 
 void add_render(CLI::App& program) {
-  add_command<RenderArguments>(program, "render", "A picture without a display", declare_render, run_render);
+  add_command<RenderArguments>(program, "render", "Draws a picture of a scan; no display is needed", declare_render,
+                               run_render);
 }
 
 }  // namespace kappa::app

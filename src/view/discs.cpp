@@ -10,7 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "kappa/core/execution.hpp"
+#include "steps.hpp"
 
 namespace kappa::view_detail {
 namespace {
@@ -25,14 +25,14 @@ constexpr std::size_t kSample = 2000;
 /// The finite points and a locator on them.
 class Neighbourhoods {
  public:
-  explicit Neighbourhoods(const std::vector<Vec3>& points) : points_(points) {
+  Neighbourhoods(const std::vector<Vec3>& points, const Execution& run) : points_(points) {
     vtkNew<vtkPoints> finite;
     finite->SetDataTypeToDouble();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!is_finite(points[i])) continue;
+    each(points.size(), run, [&](std::size_t i) {
+      if (!is_finite(points[i])) return;
       indices_.push_back(static_cast<Index>(i));
       finite->InsertNextPoint(points[i].data());
-    }
+    });
     data_->SetPoints(finite);
     locator_->SetDataSet(data_);
     if (!indices_.empty()) locator_->BuildLocator();
@@ -86,12 +86,11 @@ void limit_radii(std::vector<Disc>& discs) {
 
 }  // namespace
 
-std::vector<Disc> make_discs(const std::vector<Vec3>& points, const Normals& normals, const Vec3& towards) {
-  const Neighbourhoods neighbourhoods(points);
+std::vector<Disc> make_discs(const std::vector<Vec3>& points, const Normals& normals, const Vec3& towards,
+                             const Execution& run) {
+  const Neighbourhoods neighbourhoods(points, stage(run, 0.0, 0.2));
   std::vector<Disc> discs(neighbourhoods.size());
-  Execution run;
-  run.threads = 0;
-  parallel_for(discs.size(), 1024, run, [&](std::size_t begin, std::size_t end, int) {
+  parallel_for(discs.size(), 1024, stage(run, 0.2, 1.0), [&](std::size_t begin, std::size_t end, int) {
     vtkNew<vtkIdList> found;
     std::vector<Vec3> ring;
     for (std::size_t i = begin; i < end; ++i) {
@@ -106,8 +105,9 @@ std::vector<Disc> make_discs(const std::vector<Vec3>& points, const Normals& nor
   return discs;
 }
 
-double median_spacing(const std::vector<Vec3>& points) {
-  const Neighbourhoods neighbourhoods(points);
+double median_spacing(const std::vector<Vec3>& points, const Execution& run) {
+  const Neighbourhoods neighbourhoods(points, run);
+  check_cancelled(run);
   const std::size_t step = std::max<std::size_t>(1, neighbourhoods.size() / kSample);
   vtkNew<vtkIdList> found;
   std::vector<Vec3> ring;

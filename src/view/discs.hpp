@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "kappa/core/execution.hpp"
 #include "kappa/core/types.hpp"
 
 namespace kappa::view_detail {
@@ -14,11 +15,18 @@ struct Disc {
   double radius;
 };
 
-/// Discs that close the gaps between the finite points. A given normal is used as it is; a point without one gets
-/// that of its nearest neighbours, on the side of `towards`. A radius is at most three times the median.
-std::vector<Disc> make_discs(const std::vector<Vec3>& points, const Normals& normals, const Vec3& towards);
+/// One disc for each finite point, in the order of the points, wide enough to close the gaps to its neighbours.
+///
+/// A disc has the normal given for its point. A point without a normal, or with one that is zero or not finite, gets
+/// the normal of the plane through its nearest neighbours, on the side of `towards`. Radii above three times the median
+/// radius are cut to that. The result does not depend on the number of threads.
+/// @throws Cancelled.
+std::vector<Disc> make_discs(const std::vector<Vec3>& points, const Normals& normals, const Vec3& towards,
+                             const Execution& run);
 
-/// Median distance of a finite point to its nearest neighbours, from a sample of the points; 0 for fewer than two.
-double median_spacing(const std::vector<Vec3>& points);
+/// Median over a sample of the finite points of the distance to the nearest point at another position. 0 if there are
+/// fewer than two positions.
+/// @throws Cancelled.
+double median_spacing(const std::vector<Vec3>& points, const Execution& run);
 
 }  // namespace kappa::view_detail

@@ -65,10 +65,13 @@ void draw_title(view_detail::Panel& panel, const std::string& title, int height,
   panel.text(Vec2(30 * scale, height - 40 * scale), title, look);
 }
 
+using Paint = std::function<void(Scene& scene, const Execution& run)>;
+
 /// What draw_scalar and draw_labels have in common; `paint` colours the scene.
-void draw(const std::string& path, const Scan& scan, const FigureOptions& options,
-          const std::function<void(Scene&)>& paint) {
+void draw(const std::string& path, const Scan& scan, const FigureOptions& options, const Paint& paint,
+          const Execution& run) {
   view_detail::check_picture_path(path);
+  check_cancelled(run);
   const view_detail::Quiet quiet;
   const VirtualDisplay display;
   const int width = kReduction * options.width, height = kReduction * options.height;
@@ -80,17 +83,19 @@ void draw(const std::string& path, const Scan& scan, const FigureOptions& option
   window->SetMultiSamples(0);
   window->SetDPI(72);
   window->SetSize(width, height);
-  Scene scene(scan, {options.background, kReduction * options.point_size, options.shading, camera, scale});
+  Scene scene(scan, {options.background, kReduction * options.point_size, options.shading, camera, scale},
+              stage(run, 0.0, 0.4));
   scene.add_to(window);
   scene.layout(width, height, scale, options.title.empty() ? 0 : kTitleHeight * scale, 0);
-  paint(scene);
-  scene.show_edges(options.edges);
-  scene.show_directions(options.direction_fields, options.directions);
+  paint(scene, stage(run, 0.4, 0.6));
+  scene.show_edges(options.edges, stage(run, 0.6, 0.7));
+  scene.show_directions(options.direction_fields, options.directions, stage(run, 0.7, 0.8));
   scene.look(camera);
   view_detail::Panel title(scene.picture());
   draw_title(title, options.title, height, scale, scene.text_colour());
+  check_cancelled(run);
   window->Render();
-  view_detail::write_picture(path, window, kReduction);
+  view_detail::write_picture(path, window, kReduction, stage(run, 0.9, 1.0));
 }
 
 }  // namespace
@@ -111,7 +116,7 @@ DirectionFields direction_fields(const Scan& scan, const std::string& suffix) {
 }
 
 void draw_scalar(const std::string& path, const Scan& scan, const std::vector<double>& values, const ScalarStyle& style,
-                 const FigureOptions& options) {
+                 const FigureOptions& options, const Execution& run) {
   validate(scan, values.size(), options);
   std::vector<double> drawn = values;
   // A point that is not drawn has no say in the range.
@@ -119,13 +124,16 @@ void draw_scalar(const std::string& path, const Scan& scan, const std::vector<do
     if (!is_finite(scan.points[i])) drawn[i] = kNaN;
   }
   const ColourRange range = colour_range(drawn, style);
-  draw(path, scan, options, [&](Scene& scene) { scene.show_values(drawn, style, range); });
+  draw(
+      path, scan, options,
+      [&](Scene& scene, const Execution& painting) { scene.show_values(drawn, style, range, painting); }, run);
 }
 
 void draw_labels(const std::string& path, const Scan& scan, const std::vector<Label>& labels,
-                 const FigureOptions& options) {
+                 const FigureOptions& options, const Execution& run) {
   validate(scan, labels.size(), options);
-  draw(path, scan, options, [&](Scene& scene) { scene.show_labels(labels); });
+  draw(
+      path, scan, options, [&](Scene& scene, const Execution& painting) { scene.show_labels(labels, painting); }, run);
 }
 
 }  // namespace kappa

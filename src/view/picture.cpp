@@ -23,26 +23,31 @@ namespace {
   throw Error(ErrorCode::FileWrite, "the picture '" + path + "' cannot be written: " + reason);
 }
 
-vtkSmartPointer<vtkImageData> reduce(vtkUnsignedCharArray* pixels, int width, int height, int reduction) {
+/// One row of the file from the rows of the window; `width` and `reduction` in pixels of the window.
+void reduce_row(const unsigned char* in, int width, int reduction, unsigned char* out) {
+  const int count = reduction * reduction;
+  for (int x = 0; x < width / reduction; ++x) {
+    for (int c = 0; c < 3; ++c) {
+      int sum = count / 2;
+      for (int k = 0; k < count; ++k) sum += in[(k / reduction * width + x * reduction + k % reduction) * 3 + c];
+      *out++ = static_cast<unsigned char>(sum / count);
+    }
+  }
+}
+
+vtkSmartPointer<vtkImageData> reduce(vtkUnsignedCharArray* pixels, int width, int height, int reduction,
+                                     const Execution& run) {
+  constexpr std::size_t kRows = 16;  // polled once for so many rows of the file
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(width / reduction, height / reduction, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-  const unsigned char* in = pixels->GetPointer(0);
-  const int count = reduction * reduction;
-  for (int y = 0; y < height / reduction; ++y) {
-    for (int x = 0; x < width / reduction; ++x) {
-      for (int c = 0; c < 3; ++c) {
-        int sum = count / 2;
-        for (int k = 0; k < count; ++k) {
-          const auto row = static_cast<std::size_t>(y * reduction + k / reduction);
-          const auto column = static_cast<std::size_t>(x * reduction + k % reduction);
-          sum += in[(row * static_cast<std::size_t>(width) + column) * 3 + static_cast<std::size_t>(c)];
-        }
-        *out++ = static_cast<unsigned char>(sum / count);
-      }
-    }
-  }
+  auto* const out = static_cast<unsigned char*>(image->GetScalarPointer());
+  const unsigned char* const in = pixels->GetPointer(0);
+  const std::size_t row_in = 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(reduction);
+  const std::size_t row_out = 3 * static_cast<std::size_t>(width / reduction);
+  parallel_for(static_cast<std::size_t>(height / reduction), kRows, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t y = begin; y < end; ++y) reduce_row(in + y * row_in, width, reduction, out + y * row_out);
+  });
   return image;
 }
 
@@ -80,7 +85,8 @@ void check_picture_path(const std::string& path) {
   if (access(folder.c_str(), W_OK) != 0) cannot_write(path, std::strerror(errno));
 }
 
-void write_picture(const std::string& path, vtkRenderWindow* window, int reduction) {
+void write_picture(const std::string& path, vtkRenderWindow* window, int reduction, const Execution& run) {
+  check_cancelled(run);
   const int width = window->GetSize()[0], height = window->GetSize()[1];
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels);
@@ -89,11 +95,13 @@ void write_picture(const std::string& path, vtkRenderWindow* window, int reducti
                 "the display could not draw '" + path + "'; unset DISPLAY to draw on a virtual one");
   }
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(reduce(pixels, width, height, reduction));
+  writer->SetInputData(reduce(pixels, width, height, reduction, stage(run, 0.0, 0.5)));
   writer->WriteToMemoryOn();
   writer->Write();
+  check_cancelled(run);
   if (writer->GetResult() == nullptr) cannot_write(path, "it could not be encoded");
   write_bytes(path, writer->GetResult());
+  if (run.progress) run.progress(1.0);
 }
 
 }  // namespace kappa::view_detail

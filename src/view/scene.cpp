@@ -57,10 +57,10 @@ vtkSmartPointer<vtkLight> make_light() {
 
 }  // namespace
 
-Scene::Scene(const Scan& scan, const SceneOptions& options)
+Scene::Scene(const Scan& scan, const SceneOptions& options, const Execution& run)
     : scan_(scan),
       options_(options),
-      shape_(scan, options.point_size, towards_eye(options.camera)),
+      shape_(scan, options.point_size, towards_eye(options.camera), run),
       legend_(std::make_unique<Panel>(strip_)) {
   // Edges lie in the faces they belong to and are to be seen in front of them.
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
@@ -104,7 +104,8 @@ void Scene::look(const Camera& camera) {
   picture_->ResetCameraClippingRange();
 }
 
-void Scene::show_values(const std::vector<double>& values, const ScalarStyle& style, const ColourRange& range) {
+void Scene::show_values(const std::vector<double>& values, const ScalarStyle& style, const ColourRange& range,
+                        const Execution& run) {
   shown_ = Shown::Values;
   style_ = style;
   facts_ = field_facts(values, scan_.points);
@@ -112,7 +113,7 @@ void Scene::show_values(const std::vector<double>& values, const ScalarStyle& st
     const Rgb c = map_colour(style.map, i / (kTableColours - 1.0));
     colours_->SetTableValue(i, c.r / 255.0, c.g / 255.0, c.b / 255.0);
   }
-  show_layers(shape_.paint(values));
+  show_layers(shape_.paint(values, run));
   change_range(range);
 }
 
@@ -123,37 +124,39 @@ void Scene::change_range(const ColourRange& range) {
   draw_legend();
 }
 
-void Scene::show_labels(const std::vector<Label>& labels) {
+void Scene::show_labels(const std::vector<Label>& labels, const Execution& run) {
   shown_ = Shown::Labels;
   labels_.clear();
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (is_finite(scan_.points[i])) labels_.push_back(labels[i]);
   }
-  show_layers(shape_.paint(labels));
+  show_layers(shape_.paint(labels, run));
   draw_legend();
 }
 
-void Scene::show_plain() {
+void Scene::show_plain(const Execution& run) {
   shown_ = Shown::Plain;
-  std::vector<Layer> layers = shape_.paint(std::vector<double>(scan_.points.size(), 0.0));
+  std::vector<Layer> layers = shape_.paint(std::vector<double>(scan_.points.size(), 0.0), run);
   layers.front().colour = kPlain;
   show_layers(layers);
   draw_legend();
 }
 
-void Scene::show_edges(Edges edges) {
+void Scene::show_edges(Edges edges, const Execution& run) {
   if (edges_ != nullptr) picture_->RemoveActor(edges_);
   edges_ = nullptr;
   if (edges == Edges::Hidden || !scan_.is_mesh()) return;
-  edges_ = line_actor(edge_lines(scan_), {40, 44, 52}, 0.7 * options_.line_width, 0.45);
+  edges_ = line_actor(edge_lines(scan_, run), {40, 44, 52}, 0.7 * options_.line_width, 0.45);
   picture_->AddActor(edges_);
 }
 
-void Scene::show_directions(const DirectionFields& fields, Directions which) {
+void Scene::show_directions(const DirectionFields& fields, Directions which, const Execution& run) {
   for (const auto& actor : directions_) picture_->RemoveActor(actor);
   directions_.clear();
-  if (which == Directions::Min || which == Directions::Both) add_directions(fields.dir_min, kMinColour);
-  if (which == Directions::Max || which == Directions::Both) add_directions(fields.dir_max, kMaxColour);
+  const bool min = which == Directions::Min || which == Directions::Both;
+  const bool max = which == Directions::Max || which == Directions::Both;
+  if (min) add_directions(fields.dir_min, kMinColour, stage(run, 0.0, max ? 0.5 : 1.0));
+  if (max) add_directions(fields.dir_max, kMaxColour, stage(run, min ? 0.5 : 0.0, 1.0));
 }
 
 Rgb Scene::text_colour() const {
@@ -202,12 +205,14 @@ void Scene::set_material(vtkProperty* property) const {
   property->SetPointSize(static_cast<float>(size));
 }
 
-void Scene::add_directions(const std::vector<Vec3>& directions, Rgb colour) {
+void Scene::add_directions(const std::vector<Vec3>& directions, Rgb colour, const Execution& run) {
   if (directions.size() != scan_.points.size()) return;
   const Bounds box = bounds(scan_.points);
-  const double spacing = std::max((box.max - box.min).maxCoeff() / kGlyphs, 2 * median_spacing(scan_.points));
+  const double nearest = median_spacing(scan_.points, stage(run, 0.0, 0.5));
+  const double spacing = std::max((box.max - box.min).maxCoeff() / kGlyphs, 2 * nearest);
   if (!(spacing > 0)) return;
-  directions_.push_back(line_actor(direction_lines(scan_, directions, spacing), colour, 2.2 * options_.line_width, 1));
+  const auto lines = direction_lines(scan_, directions, spacing, stage(run, 0.5, 1.0));
+  directions_.push_back(line_actor(lines, colour, 2.2 * options_.line_width, 1));
   picture_->AddActor(directions_.back());
 }
 

@@ -12,6 +12,7 @@
 
 #include "discs.hpp"
 #include "kappa/scan/scan.hpp"
+#include "steps.hpp"
 
 namespace kappa::view_detail {
 namespace {
@@ -30,15 +31,15 @@ bool all_finite(const Faces::View& face, const std::vector<Vec3>& points) {
 }
 
 /// Triangles of the faces with finite corners; VTK divides polygons, concave ones too.
-std::vector<std::array<Index, 3>> triangles_of(const Scan& scan, vtkPoints* corners) {
+std::vector<std::array<Index, 3>> triangles_of(const Scan& scan, vtkPoints* corners, const Execution& run) {
   vtkNew<vtkCellArray> polygons;
   std::vector<vtkIdType> ids;
-  for (std::size_t f = 0; f < scan.faces.size(); ++f) {
+  each(scan.faces.size(), stage(run, 0.0, 0.3), [&](std::size_t f) {
     const Faces::View face = scan.faces[f];
-    if (!all_finite(face, scan.points)) continue;
+    if (!all_finite(face, scan.points)) return;
     ids.assign(face.begin(), face.end());
     polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
+  });
   vtkNew<vtkPolyData> data;
   data->SetPoints(corners);
   data->SetPolys(polygons);
@@ -46,15 +47,17 @@ std::vector<std::array<Index, 3>> triangles_of(const Scan& scan, vtkPoints* corn
   divide->SetInputData(data);
   divide->PassVertsOff();
   divide->PassLinesOff();
-  divide->Update();
+  update(divide, stage(run, 0.3, 0.8));
   std::vector<std::array<Index, 3>> triangles;
   vtkCellArray* cells = divide->GetOutput()->GetPolys();
   triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
   vtkIdType count = 0;
   const vtkIdType* cell = nullptr;
-  for (cells->InitTraversal(); cells->GetNextCell(count, cell) != 0;) {
+  cells->InitTraversal();
+  each(triangles.capacity(), stage(run, 0.8, 1.0), [&](std::size_t) {
+    if (cells->GetNextCell(count, cell) == 0) return;
     triangles.push_back({static_cast<Index>(cell[0]), static_cast<Index>(cell[1]), static_cast<Index>(cell[2])});
-  }
+  });
   return triangles;
 }
 
@@ -109,30 +112,36 @@ struct Divider {
 
 }  // namespace
 
-Shape::Shape(const Scan& scan, double point_size, const Vec3& towards) {
+Shape::Shape(const Scan& scan, double point_size, const Vec3& towards, const Execution& run) {
   finite_points_ = static_cast<std::size_t>(std::count_if(scan.points.begin(), scan.points.end(), is_finite));
   if (scan.is_mesh()) {
-    make_mesh(scan);
+    make_mesh(scan, run);
   } else if (point_size <= 0 && finite_points_ <= kMostDiscs) {
-    make_discs(scan, towards);
+    make_discs(scan, towards, run);
   } else {
-    make_points(scan);
+    make_points(scan, run);
   }
 }
 
-void Shape::make_mesh(const Scan& scan) {
+void Shape::make_mesh(const Scan& scan, const Execution& run) {
   kind_ = ShapeKind::Mesh;
-  for (const Vec3& x : scan.points) corners_->InsertNextPoint(is_finite(x) ? x.data() : Vec3::Zero().eval().data());
-  for (std::size_t i = 0; i < scan.points.size(); ++i) source_.push_back(static_cast<Index>(i));
-  triangles_ = triangles_of(scan, corners_);
+  each(scan.points.size(), stage(run, 0.0, 0.2), [&](std::size_t i) {
+    const Vec3& x = scan.points[i];
+    corners_->InsertNextPoint(is_finite(x) ? x.data() : Vec3::Zero().eval().data());
+    source_.push_back(static_cast<Index>(i));
+  });
+  triangles_ = triangles_of(scan, corners_, stage(run, 0.2, 0.8));
+  const Normals normals = light_normals(scan, triangles_);
   normals_ = normal_array();
-  for (const Vec3& n : light_normals(scan, triangles_)) normals_->InsertNextTuple(n.data());
+  each(normals.size(), stage(run, 0.8, 1.0), [&](std::size_t i) { normals_->InsertNextTuple(normals[i].data()); });
 }
 
-void Shape::make_discs(const Scan& scan, const Vec3& towards) {
+void Shape::make_discs(const Scan& scan, const Vec3& towards, const Execution& run) {
   kind_ = ShapeKind::Discs;
   normals_ = normal_array();
-  for (const Disc& disc : view_detail::make_discs(scan.points, scan.normals, towards)) {
+  const std::vector<Disc> discs = view_detail::make_discs(scan.points, scan.normals, towards, stage(run, 0.0, 0.7));
+  each(discs.size(), stage(run, 0.7, 1.0), [&](std::size_t d) {
+    const Disc& disc = discs[d];
     const Vec3& x = scan.points[disc.point];
     const Vec3 s = disc.radius * disc.normal.unitOrthogonal();
     const Vec3 t = disc.normal.cross(s);
@@ -148,21 +157,21 @@ void Shape::make_discs(const Scan& scan, const Vec3& towards) {
       normals_->InsertNextTuple(disc.normal.data());
       source_.push_back(disc.point);
     }
-  }
+  });
 }
 
-void Shape::make_points(const Scan& scan) {
+void Shape::make_points(const Scan& scan, const Execution& run) {
   kind_ = ShapeKind::Points;
   if (scan.normals.size() == scan.points.size()) normals_ = normal_array();
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    if (!is_finite(scan.points[i])) continue;
+  each(scan.points.size(), run, [&](std::size_t i) {
+    if (!is_finite(scan.points[i])) return;
     dots_.push_back(static_cast<Index>(corners_->InsertNextPoint(scan.points[i].data())));
     source_.push_back(static_cast<Index>(i));
-    if (normals_ == nullptr) continue;
+    if (normals_ == nullptr) return;
     const Vec3& n = scan.normals[i];
     normals_->InsertNextTuple(is_finite(n) && n.norm() > 0 ? n.normalized().eval().data()
                                                            : Vec3::UnitZ().eval().data());
-  }
+  });
 }
 
 vtkSmartPointer<vtkPolyData> Shape::empty_part(vtkPoints* points, vtkFloatArray* normals) const {
@@ -174,36 +183,39 @@ vtkSmartPointer<vtkPolyData> Shape::empty_part(vtkPoints* points, vtkFloatArray*
   return part;
 }
 
-std::vector<Layer> Shape::paint(const std::vector<double>& values) const {
+std::vector<Layer> Shape::paint(const std::vector<double>& values, const Execution& run) const {
   const auto has_value = [&](Index corner) { return std::isfinite(values[source_[corner]]); };
   Layer with{empty_part(corners_, normals_), {}};
   Layer without{empty_part(corners_, normals_), kNoValueColour};
   vtkNew<vtkDoubleArray> scalars;
   scalars->SetNumberOfValues(static_cast<vtkIdType>(source_.size()));
-  for (std::size_t i = 0; i < source_.size(); ++i) {
+  each(source_.size(), stage(run, 0.0, 0.3), [&](std::size_t i) {
     const double value = values[source_[i]];
     scalars->SetValue(static_cast<vtkIdType>(i), std::isfinite(value) ? value : 0.0);
-  }
+  });
   with.data->GetPointData()->SetScalars(scalars);
-  for (const Triangle& t : triangles_) {
+  each(triangles_.size(), stage(run, 0.3, 0.9), [&](std::size_t i) {
+    const Triangle& t = triangles_[i];
     const bool all = has_value(t[0]) && has_value(t[1]) && has_value(t[2]);
     append((all ? with : without).data->GetPolys(), {t[0], t[1], t[2]});
-  }
-  for (const Index dot : dots_) append((has_value(dot) ? with : without).data->GetVerts(), {dot});
+  });
+  each(dots_.size(), stage(run, 0.9, 1.0),
+       [&](std::size_t i) { append((has_value(dots_[i]) ? with : without).data->GetVerts(), {dots_[i]}); });
   return {with, without};
 }
 
-std::vector<Layer> Shape::paint(const std::vector<Label>& labels) const {
+std::vector<Layer> Shape::paint(const std::vector<Label>& labels, const Execution& run) const {
   Divider divider(corners_, normals_);
   std::vector<Layer> layers;
   for (int i = 0; i < kLabelCount; ++i) {
     layers.push_back({empty_part(divider.points, divider.normals), label_colour(static_cast<Label>(i))});
   }
   const auto layer_of = [&](Index corner) { return static_cast<std::size_t>(labels[source_[corner]]); };
-  for (const Triangle& t : triangles_) {
+  each(triangles_.size(), stage(run, 0.0, 0.9), [&](std::size_t triangle) {
+    const Triangle& t = triangles_[triangle];
     if (layer_of(t[0]) == layer_of(t[1]) && layer_of(t[1]) == layer_of(t[2])) {
       append(layers[layer_of(t[0])].data->GetPolys(), {t[0], t[1], t[2]});
-      continue;
+      return;
     }
     const vtkIdType m[3] = {divider.mean_of({t[0], t[1]}), divider.mean_of({t[1], t[2]}),
                             divider.mean_of({t[2], t[0]})};
@@ -211,8 +223,9 @@ std::vector<Layer> Shape::paint(const std::vector<Label>& labels) const {
     for (std::size_t i = 0; i < 3; ++i) {
       append(layers[layer_of(t[i])].data->GetPolys(), {t[i], m[i], centre, m[(i + 2) % 3]});
     }
-  }
-  for (const Index dot : dots_) append(layers[layer_of(dot)].data->GetVerts(), {dot});
+  });
+  each(dots_.size(), stage(run, 0.9, 1.0),
+       [&](std::size_t i) { append(layers[layer_of(dots_[i])].data->GetVerts(), {dots_[i]}); });
   return layers;
 }
 

@@ -11,13 +11,14 @@
 #include <optional>
 #include <vector>
 
+#include "kappa/core/execution.hpp"
 #include "kappa/mesh/mesh.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/view/colour_map.hpp"
 
 namespace kappa::view_detail {
 
-/// A part of the picture that is drawn in one way: in one colour, or by its point scalars.
+/// A part of the picture that is drawn in one way: in its colour, or, without one, by the scalars of its points.
 struct Layer {
   vtkSmartPointer<vtkPolyData> data;
   std::optional<Rgb> colour;
@@ -29,24 +30,25 @@ enum class ShapeKind { Mesh, Discs, Points };
 /// or points. Elements with a corner that is not finite are left out.
 class Shape {
  public:
-  /// `point_size` as in FigureOptions; `towards` is the direction from the scan to the eye.
-  Shape(const Scan& scan, double point_size, const Vec3& towards);
+  /// `point_size` as in FigureOptions; `towards` is the direction from the scan to the eye. @throws Cancelled.
+  Shape(const Scan& scan, double point_size, const Vec3& towards, const Execution& run);
 
   ShapeKind kind() const { return kind_; }
   bool has_normals() const { return normals_ != nullptr; }
   std::size_t point_count() const { return finite_points_; }
 
-  /// A layer of the elements that have values, and one without of those that have none.
-  std::vector<Layer> paint(const std::vector<double>& values) const;
-  /// A layer for each label that occurs; a triangle is divided at the midpoints of its edges.
-  std::vector<Layer> paint(const std::vector<Label>& labels) const;
+  /// Two layers: first the elements whose corners all have a value, then the other ones. @throws Cancelled.
+  std::vector<Layer> paint(const std::vector<double>& values, const Execution& run) const;
+  /// A layer for each label, empty where the label does not occur. A triangle with several labels is divided at the
+  /// midpoints of its edges. @throws Cancelled.
+  std::vector<Layer> paint(const std::vector<Label>& labels, const Execution& run) const;
 
  private:
   using Triangle = std::array<Index, 3>;
 
-  void make_mesh(const Scan& scan);
-  void make_discs(const Scan& scan, const Vec3& towards);
-  void make_points(const Scan& scan);
+  void make_mesh(const Scan& scan, const Execution& run);
+  void make_discs(const Scan& scan, const Vec3& towards, const Execution& run);
+  void make_points(const Scan& scan, const Execution& run);
   vtkSmartPointer<vtkPolyData> empty_part(vtkPoints* points, vtkFloatArray* normals) const;
 
   ShapeKind kind_ = ShapeKind::Mesh;
@@ -58,11 +60,12 @@ class Shape {
   std::vector<Index> dots_;                 // into corners_, for ShapeKind::Points
 };
 
-/// The edges of the faces of a scan, each once, as lines.
-vtkSmartPointer<vtkPolyData> edge_lines(const Scan& scan);
+/// The edges of the faces of a scan, each once, as lines. @throws Cancelled.
+vtkSmartPointer<vtkPolyData> edge_lines(const Scan& scan, const Execution& run);
 
-/// Short lines along `directions`, spread evenly over the scan: one in each cell of a grid of side `spacing`.
-/// `normals`, if any, lift them off the surface a little.
-vtkSmartPointer<vtkPolyData> direction_lines(const Scan& scan, const std::vector<Vec3>& directions, double spacing);
+/// Short lines along `directions`, spread evenly over the scan: one in each cell of a grid of side `spacing`. The
+/// normals of the scan, if it has any, lift the lines off the surface a little. @throws Cancelled.
+vtkSmartPointer<vtkPolyData> direction_lines(const Scan& scan, const std::vector<Vec3>& directions, double spacing,
+                                             const Execution& run);
 
 }  // namespace kappa::view_detail

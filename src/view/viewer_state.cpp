@@ -60,7 +60,7 @@ Viewer::Window::Window(Scan scan, Recompute recompute, ViewerOptions options)
       options_(checked(scan_, recompute, std::move(options))),
       view_(scan_, options_, events()),
       computation_(std::move(recompute)) {
-  view_.scene().show_plain();
+  view_.scene().show_plain(Execution{});
   set_radius(options_.radius);
 }
 
@@ -143,14 +143,14 @@ void Viewer::Window::next_directions() {
   const DirectionFields& fields = data_.directions;
   if (fields.dir_min.empty() || fields.dir_max.empty()) return say("there are no principal directions");
   directions_ = static_cast<Directions>((static_cast<int>(directions_) + 1) % 4);
-  view_.scene().show_directions(fields, directions_);
+  view_.scene().show_directions(fields, directions_, Execution{});
   refresh();
 }
 
 void Viewer::Window::toggle_edges() {
   if (!scan_.is_mesh()) return say("a cloud has no edges");
   edges_ = edges_ == Edges::Hidden ? Edges::Shown : Edges::Hidden;
-  view_.scene().show_edges(edges_);
+  view_.scene().show_edges(edges_, Execution{});
   refresh();
 }
 
@@ -279,7 +279,7 @@ void Viewer::Window::accept(ViewData data) {
   field_ = std::min(field_, data_.fields.size() - 1);
   labels_ = labels_ && !data_.labels.empty();
   if (data_.directions.dir_min.empty() || data_.directions.dir_max.empty()) directions_ = Directions::None;
-  view_.scene().show_directions(data_.directions, directions_);
+  view_.scene().show_directions(data_.directions, directions_, Execution{});
   show_pick();
   paint();
 }
@@ -287,9 +287,9 @@ void Viewer::Window::accept(ViewData data) {
 void Viewer::Window::paint() {
   automatic_range_ = colour_range(field().values, field().style);
   if (labels_) {
-    view_.scene().show_labels(data_.labels);
+    view_.scene().show_labels(data_.labels, Execution{});
   } else {
-    view_.scene().show_values(field().values, field().style, range());
+    view_.scene().show_values(field().values, field().style, range(), Execution{});
   }
   refresh();
 }

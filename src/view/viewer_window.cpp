@@ -95,11 +95,16 @@ void make_box(vtkTextProperty* property) {
 }  // namespace
 
 ViewerWindow::ViewerWindow(const Scan& scan, const ViewerOptions& options, WindowEvents events)
-    : events_(std::move(events)), camera_(options.camera ? *options.camera : automatic_camera(scan)), scene_(scan, [&] {
-        SceneOptions scene;
-        scene.camera = camera_;
-        return scene;
-      }()) {
+    : events_(std::move(events)),
+      camera_(options.camera ? *options.camera : automatic_camera(scan)),
+      scene_(
+          scan,
+          [&] {
+            SceneOptions scene;
+            scene.camera = camera_;
+            return scene;
+          }(),
+          Execution{}) {
   const Quiet quiet;
   make_window(options);
   make_texts();
@@ -309,7 +314,7 @@ std::array<int, 2> ViewerWindow::mouse() const {
 void ViewerWindow::save_picture(const std::string& path) {
   check_picture_path(path);
   render();
-  write_picture(path, window_, 1);
+  write_picture(path, window_, 1, Execution{});
 }
 
 void ViewerWindow::on_slide() {
