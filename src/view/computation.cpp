@@ -8,7 +8,13 @@
 
 namespace kappa::view_detail {
 
-Computation::Computation(Recompute recompute) : recompute_(std::move(recompute)), thread_([this] { work(); }) {}
+Computation::Computation(Recompute recompute, const Execution& run) : recompute_(std::move(recompute)) {
+  run_.threads = run.threads;
+  run_.seed = run.seed;
+  run_.cancel = &cancel_;
+  run_.progress = [this](double done) { progress_ = done; };
+  thread_ = std::thread([this] { work(); });
+}
 
 Computation::~Computation() {
   {
@@ -63,12 +69,8 @@ void Computation::work() {
 }
 
 Computation::Outcome Computation::compute(double radius) {
-  Execution run;
-  run.threads = 0;
-  run.cancel = &cancel_;
-  run.progress = [this](double done) { progress_ = done; };
   try {
-    return {recompute_(radius, run), {}};
+    return {recompute_(radius, run_), {}};
   } catch (const Cancelled&) {
     return {{}, "cancelled"};
   } catch (const std::exception& error) {

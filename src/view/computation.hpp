@@ -12,26 +12,29 @@
 
 namespace kappa::view_detail {
 
-/// Computes data for the viewer on a thread of its own; only the radius asked for last counts.
+/// Computes data for the viewer on a thread of its own. Of several radii only the one asked for last counts: start()
+/// cancels what is under way.
 class Computation {
  public:
-  /// Data, or the reason why there is none.
+  /// Data, or the message why there are none.
   struct Outcome {
     std::optional<ViewData> data;
     std::string error;
   };
 
-  explicit Computation(Recompute recompute);
+  /// Each computation gets the threads and the seed of `run`.
+  Computation(Recompute recompute, const Execution& run);
   ~Computation();
   Computation(const Computation&) = delete;
   Computation& operator=(const Computation&) = delete;
 
+  /// Starts computing for a radius.
   void start(double radius);
   /// True from start() until its outcome is taken.
   bool under_way() const;
   /// Fraction done, in [0, 1].
   double progress() const { return progress_; }
-  /// The outcome for the last start(), once it is there.
+  /// Hands out the outcome of the last start() once it is there.
   std::optional<Outcome> take();
 
  private:
@@ -39,6 +42,7 @@ class Computation {
   Outcome compute(double radius);
 
   Recompute recompute_;
+  Execution run_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::optional<double> asked_;  // a radius nobody works on yet

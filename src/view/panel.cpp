@@ -133,6 +133,16 @@ std::string wrap(const std::string& text, int width, const TextLook& look) {
   return all + line;
 }
 
+std::string fit(const std::vector<std::string>& entries, int width, const TextLook& look) {
+  std::string line;
+  for (const std::string& entry : entries) {
+    const std::string longer = line.empty() ? entry : line + "      " + entry;
+    if (text_width(longer, look) > width) break;
+    line = longer;
+  }
+  return line;
+}
+
 std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
   return {Vec2(x0, y0), Vec2(x1, y0), Vec2(x1, y1), Vec2(x0, y1)};
 }

@@ -34,11 +34,11 @@ class Panel {
   Panel& operator=(const Panel&) = delete;
 
   void clear();
-  /// Polygons of one colour each: a convex one a colour.
+  /// Fills convex polygons; polygon i has colour i.
   void fill(const std::vector<std::vector<Vec2>>& polygons, const std::vector<Rgb>& colours);
-  /// A closed or open line of one pixel width.
+  /// Draws a line of one pixel width through the points, in their order.
   void outline(const std::vector<Vec2>& line, Rgb colour);
-  /// Text whose first line is centred on the height of `at`; further lines go down.
+  /// Writes text. The first line is centred on the height of `at`, further lines follow below.
   void text(const Vec2& at, const std::string& text, const TextLook& look);
 
  private:
@@ -46,15 +46,19 @@ class Panel {
   std::vector<vtkSmartPointer<vtkActor2D>> actors_;
 };
 
-/// A text actor with the fonts of the panels, top left corner at its position.
+/// A text actor with the fonts of the panels. Its position is the upper left corner of the text.
 vtkSmartPointer<vtkTextActor> make_text(const TextLook& look);
 
 /// Width of a text in pixels.
 int text_width(const std::string& text, const TextLook& look);
 
-/// `text` with line breaks at blanks so that no line is wider than `width` pixels where that can be.
+/// `text` with some blanks replaced by line breaks. A line is wider than `width` pixels only if it is a single word.
 std::string wrap(const std::string& text, int width, const TextLook& look);
 
+/// The first of `entries`, as many as fit on one line of `width` pixels, with gaps between them.
+std::string fit(const std::vector<std::string>& entries, int width, const TextLook& look);
+
+/// Corners of a rectangle, counter-clockwise from the lower left.
 std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1);
 
 }  // namespace kappa::view_detail

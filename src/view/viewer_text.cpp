@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include "kappa/core/bounds.hpp"
-#include "kappa/scan/scan.hpp"
+#include <filesystem>
 
 namespace kappa::view_detail {
 namespace {
@@ -40,6 +39,11 @@ std::string count_text(std::size_t count) {
   return text;
 }
 
+std::string radius_text(const ViewerState& state) {
+  if (std::isnan(state.radius)) return "values of the file";
+  return "radius " + number_text(state.radius) + (state.stored ? " of the file" : "");
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -50,11 +54,12 @@ std::string number_text(double value) {
 
 std::string status_text(const Scan& scan, const std::string& file, const ViewerState& state, const std::string& unit,
                         double progress) {
-  std::string text = file.empty() ? "" : file + "  |  ";
+  const std::string name = std::filesystem::path(file).filename().string();
+  std::string text = name.empty() ? "" : name + "  |  ";
   text += count_text(scan.points.size()) + " points";
   if (scan.is_mesh()) text += ", " + count_text(scan.faces.size()) + " faces";
   if (!state.field.empty()) {
-    text += "  |  radius " + number_text(state.radius) + "  |  ";
+    text += "  |  " + radius_text(state) + "  |  ";
     if (state.labels) {
       text += "labels";
     } else {
@@ -85,20 +90,6 @@ std::string pick_text(const Scan& scan, const ViewData& data, Index point) {
                                  : "no value";
   }
   return text;
-}
-
-std::string help_text() {
-  return "drag: turn    shift + drag: shift    wheel: zoom\n"
-         "click or p: pick a point    Escape: forget it\n"
-         "f  F: next, previous field\n"
-         "l: labels\n"
-         "[  ]: narrow, widen the colour range    0: automatic\n"
-         "b: measuring ball at the picked point\n"
-         "d: principal directions\n"
-         "e: edges of the faces\n"
-         "c or Print: save a picture\n"
-         "v: reset the view\n"
-         "h: this help    q: quit";
 }
 
 }  // namespace kappa::view_detail

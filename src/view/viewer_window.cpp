@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include "kappa/scan/scan.hpp"
@@ -27,10 +28,12 @@ constexpr auto kIdle = std::chrono::milliseconds(8);
 constexpr int kClickSlack = 3;  // pixels the mouse may move during a click
 constexpr int kMargin = 16;     // pixels around texts
 constexpr double kTextScale = 0.72;
-constexpr double kBottom = 96;                            // pixels kept free for the slider and the status line
+constexpr double kBottom = 112;                           // pixels kept free for the slider and the lines below it
+constexpr double kKeysHeight = 32;                        // pixels from the bottom
 constexpr double kSliderStart = 0.25, kSliderEnd = 0.65;  // across the picture
-constexpr double kSliderHeight = 58;                      // pixels from the bottom
+constexpr double kSliderHeight = 76;                      // pixels from the bottom
 constexpr Rgb kBall{20, 130, 120};
+const TextLook kKeysLook{13, {112, 117, 124}};
 
 /// Turns the camera as VTK users know it, but leaves all keys to the viewer.
 class Style : public vtkInteractorStyleTrackballCamera {
@@ -87,6 +90,12 @@ void make_dot(vtkActor2D* actor, double radius, Rgb colour) {
   actor->VisibilityOff();
 }
 
+SceneOptions scene_options(const Camera& camera) {
+  SceneOptions options;
+  options.camera = camera;
+  return options;
+}
+
 void make_box(vtkTextProperty* property) {
   property->SetBackgroundColor(1, 1, 1);
   property->SetBackgroundOpacity(0.85);
@@ -94,17 +103,10 @@ void make_box(vtkTextProperty* property) {
 
 }  // namespace
 
-ViewerWindow::ViewerWindow(const Scan& scan, const ViewerOptions& options, WindowEvents events)
+ViewerWindow::ViewerWindow(const Scan& scan, const ViewerOptions& options, WindowEvents events, const Execution& run)
     : events_(std::move(events)),
       camera_(options.camera ? *options.camera : automatic_camera(scan)),
-      scene_(
-          scan,
-          [&] {
-            SceneOptions scene;
-            scene.camera = camera_;
-            return scene;
-          }(),
-          Execution{}) {
+      scene_(scan, scene_options(camera_), run) {
   const Quiet quiet;
   make_window(options);
   make_texts();
@@ -125,7 +127,8 @@ ViewerWindow::~ViewerWindow() {
 }
 
 void ViewerWindow::make_window(const ViewerOptions& options) {
-  window_->SetWindowName(options.file.empty() ? "kappa" : ("kappa - " + options.file).c_str());
+  const std::string name = std::filesystem::path(options.file).filename().string();
+  window_->SetWindowName(name.empty() ? "kappa" : ("kappa - " + name).c_str());
   window_->SetSize(options.width, options.height);
   window_->SetMultiSamples(4);
   window_->SetDPI(72);
@@ -141,15 +144,17 @@ void ViewerWindow::make_window(const ViewerOptions& options) {
 }
 
 void ViewerWindow::make_texts() {
-  for (auto& actor : texts_) {
-    actor = make_text({static_cast<int>(22 * kTextScale), scene_.text_colour()});
-    scene_.picture()->AddActor2D(actor);
+  for (std::size_t i = 0; i < texts_.size(); ++i) {
+    const bool keys = i == static_cast<std::size_t>(Overlay::Keys);
+    texts_[i] = make_text(keys ? kKeysLook : TextLook{static_cast<int>(22 * kTextScale), scene_.text_colour()});
+    scene_.picture()->AddActor2D(texts_[i]);
   }
   for (const Overlay boxed : {Overlay::Pick, Overlay::Help, Overlay::Message}) {
-    make_box(text(boxed)->GetTextProperty());
+    make_box(actor(boxed)->GetTextProperty());
   }
-  text(Overlay::Status)->GetTextProperty()->SetVerticalJustificationToBottom();
-  text(Overlay::Message)->GetTextProperty()->SetVerticalJustificationToBottom();
+  for (const Overlay low : {Overlay::Status, Overlay::Keys, Overlay::Message}) {
+    actor(low)->GetTextProperty()->SetVerticalJustificationToBottom();
+  }
 }
 
 void ViewerWindow::make_ball_and_marker() {
@@ -173,6 +178,7 @@ void ViewerWindow::make_ball_and_marker() {
 void ViewerWindow::make_slider(const ViewerOptions& options) {
   slider_look_->SetMinimumValue(std::log10(options.min_radius));
   slider_look_->SetMaximumValue(std::log10(options.max_radius));
+  slider_look_->SetValue(0.5 * (slider_look_->GetMinimumValue() + slider_look_->GetMaximumValue()));
   slider_look_->ShowSliderLabelOff();
   slider_look_->SetSliderLength(0.02);
   slider_look_->SetSliderWidth(0.028);
@@ -203,12 +209,16 @@ void ViewerWindow::layout() {
   slider_look_->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedViewport();
   slider_look_->GetPoint1Coordinate()->SetValue(kSliderStart, kSliderHeight / height);
   slider_look_->GetPoint2Coordinate()->SetValue(kSliderEnd, kSliderHeight / height);
-  text(Overlay::Status)->SetPosition(kMargin, 10);
-  text(Overlay::Radius)
+  slider_look_->Modified();  // else it stays where it was until its value changes
+  slider_look_->BuildRepresentation();
+  actor(Overlay::Status)->SetPosition(kMargin, 10);
+  actor(Overlay::Keys)->SetPosition(kMargin, kKeysHeight);
+  actor(Overlay::Radius)
       ->SetPosition(kSliderEnd * scene_.picture()->GetViewport()[2] * size_[0] + kMargin, kSliderHeight + 7);
-  text(Overlay::Pick)->SetPosition(kMargin, height - kMargin);
-  text(Overlay::Help)->SetPosition(0.3 * size_[0], height - kMargin);
-  text(Overlay::Message)->SetPosition(kMargin, kBottom);
+  actor(Overlay::Pick)->SetPosition(kMargin, height - kMargin);
+  actor(Overlay::Help)->SetPosition(0.3 * size_[0], height - kMargin);
+  actor(Overlay::Message)->SetPosition(kMargin, kBottom);
+  fit_keys();
 }
 
 void ViewerWindow::render() {
@@ -244,14 +254,34 @@ void ViewerWindow::quit() {
 void ViewerWindow::set_text(Overlay overlay, const std::string& words) {
   std::string padded;
   for (const char c : words) padded += c == '\n' ? std::string("  \n  ") : std::string(1, c);
-  const bool boxed = text(overlay)->GetTextProperty()->GetBackgroundOpacity() > 0;
-  text(overlay)->SetInput(boxed ? ("  " + padded + "  ").c_str() : words.c_str());
-  text(overlay)->SetVisibility(words.empty() ? 0 : 1);
+  const bool boxed = actor(overlay)->GetTextProperty()->GetBackgroundOpacity() > 0;
+  actor(overlay)->SetInput(boxed ? ("  " + padded + "  ").c_str() : words.c_str());
+  actor(overlay)->SetVisibility(words.empty() ? 0 : 1);
+  words_[static_cast<std::size_t>(overlay)] = words;
+}
+
+void ViewerWindow::set_keys(const std::vector<std::string>& keys) {
+  if (keys == keys_) return;
+  keys_ = keys;
+  fit_keys();
+}
+
+void ViewerWindow::fit_keys() {
+  const int width = static_cast<int>(scene_.picture()->GetViewport()[2] * size_[0]) - 2 * kMargin;
+  set_text(Overlay::Keys, fit(keys_, width, kKeysLook));
+}
+
+std::string ViewerWindow::all_texts() const {
+  std::string all;
+  for (const std::string& words : words_) {
+    if (!words.empty()) all += (all.empty() ? "" : "\n") + words;
+  }
+  return all;
 }
 
 void ViewerWindow::set_slider(double radius) {
   if (radius > 0) slider_look_->SetValue(std::log10(radius));
-  label_slider();
+  set_text(Overlay::Radius, std::isnan(radius) ? "move to measure" : "radius " + number_text(radius));
 }
 
 void ViewerWindow::show_ball(const Vec3& centre, double radius) {
@@ -318,15 +348,10 @@ void ViewerWindow::save_picture(const std::string& path) {
 }
 
 void ViewerWindow::on_slide() {
-  label_slider();
+  set_text(Overlay::Radius, "radius " + number_text(std::pow(10.0, slider_look_->GetValue())));
 }
 
 void ViewerWindow::on_slide_end() {
   events_.slide(std::pow(10.0, slider_look_->GetValue()));
 }
-
-void ViewerWindow::label_slider() {
-  set_text(Overlay::Radius, "radius " + number_text(std::pow(10.0, slider_look_->GetValue())));
-}
-
 }  // namespace kappa::view_detail

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <thread>
 
@@ -74,14 +75,13 @@ class ViewerTest : public ::testing::Test {
   void SetUp() override {
     options_.width = 700;
     options_.height = 500;
-    options_.file = "sphere.ply";
+    options_.file = "some/folder/sphere.ply";
     options_.radius = 0.5;
     options_.min_radius = 0.1;
     options_.max_radius = 10;
     options_.camera = Camera{-35, 22, 1, UpAxis::Z};
     options_.picture_folder = folder_ / "";
-    viewer_ = std::make_unique<Viewer>(
-        scan_, [this](double radius, const Execution& run) { return compute(radius, run); }, options_);
+    open(scan_);
     viewer_->wait();
     // The nearest point to the eye, which the automatic view has in the middle of the window.
     double best = -2;
@@ -95,11 +95,20 @@ class ViewerTest : public ::testing::Test {
     }
   }
 
+  void open(const Scan& scan) {
+    viewer_.reset();
+    viewer_ = std::make_unique<Viewer>(
+        scan, [this](double radius, const Execution& run) { return compute(radius, run); }, options_);
+  }
+
   ViewData compute(double radius, const Execution& run) {
     ++computed_;
+    threads_ = run.threads;
+    if (hold_) run.progress(0.5);
+    half_done_ = hold_.load();
     while (hold_) {
+      if (run.cancel->load()) ++cancelled_;
       check_cancelled(run);
-      if (run.progress) run.progress(0.5);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (radius == 7) throw Error(ErrorCode::InvalidData, "seven is refused");
@@ -135,6 +144,11 @@ class ViewerTest : public ::testing::Test {
     if (viewer_->state().radius == 2) interactor()->InvokeEvent(vtkCommand::ExitEvent);
   }
 
+  /// Waits for what another thread does; the time that test programs have is the only limit.
+  static void wait_for(const std::function<bool()>& condition) {
+    while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
   bool says(const std::string& words) const { return viewer_->text().find(words) != std::string::npos; }
 
   const VirtualDisplay display_;
@@ -142,7 +156,8 @@ class ViewerTest : public ::testing::Test {
   const Scan scan_ = sphere();
   ViewerOptions options_;
   std::atomic<bool> hold_{false};
-  std::atomic<int> computed_{0};
+  std::atomic<bool> half_done_{false};
+  std::atomic<int> computed_{0}, cancelled_{0}, threads_{-1};
   std::unique_ptr<Viewer> viewer_;
   Index front_ = 0;
   int shots_ = 0;

@@ -5,13 +5,16 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <sstream>
 #include <string>
-#include "kappa/scan/scan.hpp"
+#include <vector>
 
 namespace kappa {
 namespace {
 
 using test::differing_pixels;
+using test::kColumns;
 using test::kRows;
 using test::Picture;
 using test::sphere;
@@ -23,7 +26,9 @@ TEST_F(ViewerTest, ShowsTheFirstResult) {
   EXPECT_EQ("height", state.field);
   EXPECT_FALSE(state.computing);
   EXPECT_NEAR(2 * std::cos(0.5 * kPi / kRows), state.range.high, 1e-9);
-  EXPECT_TRUE(says("sphere.ply"));
+  EXPECT_FALSE(state.stored);
+  EXPECT_EQ(0U, viewer_->text().rfind("sphere.ply  |  ", 0)) << "the name of the file, not its path";
+  EXPECT_FALSE(says("folder"));
   EXPECT_TRUE(says("1 152 points, 1 104 faces"));
   EXPECT_TRUE(says("radius 0.5"));
   const Picture picture = shot();
@@ -44,8 +49,9 @@ TEST_F(ViewerTest, KeysGoThroughTheWindow) {
   EXPECT_EQ("east", viewer_->state().field);
   key("l", 'l');
   EXPECT_TRUE(viewer_->state().labels);
-  EXPECT_TRUE(says("labels"));
+  EXPECT_TRUE(says("|  labels"));
   key("l", 'l');
+  EXPECT_FALSE(says("measuring ball"));
   key("h", 'h');
   EXPECT_TRUE(viewer_->state().help);
   EXPECT_TRUE(says("measuring ball"));
@@ -56,6 +62,64 @@ TEST_F(ViewerTest, KeysGoThroughTheWindow) {
   EXPECT_FALSE(viewer_->press("F12"));
 }
 
+/// Names that X gives the keys of a line of the help such as "  f, F            shows ...".
+std::vector<std::string> keysyms(const std::string& line) {
+  std::vector<std::string> names;
+  std::string inputs = line.substr(0, line.find("  ", 2));
+  for (char& c : inputs) c = c == ',' ? ' ' : c;
+  std::istringstream words(inputs);
+  for (std::string word; words >> word;)
+    names.push_back(word == "[" ? "bracketleft" : word == "]" ? "bracketright" : word);
+  return names;
+}
+
+TEST_F(ViewerTest, EveryKeyOfTheHelpHasAMeaningAndEveryKeyIsInTheHelp) {
+  std::set<std::string> known;
+  std::istringstream help(viewer_keys());
+  std::string line;
+  ASSERT_TRUE(std::getline(help, line)) << "a heading";
+  while (std::getline(help, line)) {
+    ASSERT_EQ(0U, line.rfind("  ", 0)) << line;
+    for (const std::string& name : keysyms(line)) known.insert(name);
+  }
+  for (const char* word : {"drag", "Shift", "+", "wheel", "slider", "click"}) EXPECT_EQ(1U, known.erase(word)) << word;
+  options_.picture_folder = folder_ / "";
+  for (const std::string& name : known) EXPECT_TRUE(viewer_->press(name)) << name;
+  EXPECT_EQ(18U, known.size());
+  std::vector<std::string> others = {"bracketleft", "bracketright", "Escape", "Print", "Return", "space", "Tab", "F1"};
+  for (char c = '!'; c <= '~'; ++c) others.emplace_back(1, c);
+  for (const std::string& name : others) EXPECT_EQ(known.count(name) == 1, viewer_->press(name)) << name;
+}
+
+TEST_F(ViewerTest, KeysAreOnTheScreenFromTheStart) {
+  EXPECT_TRUE(says("h  all keys"));
+  EXPECT_TRUE(says("f F  field"));
+  EXPECT_FALSE(says("shows the next"));
+  const Picture line = shot();
+  viewer_->press("h");
+  EXPECT_FALSE(says("h  all keys")) << "the full list takes the place of the line";
+  EXPECT_TRUE(says("f, F:  shows the next, the previous field"));
+  const Picture list = shot();
+  // The line of keys is above the status line, the list at the top.
+  const auto grey = [](Rgb c) { return c.r < 170 && c.g < 175 && c.b < 180; };
+  EXPECT_GT(line.count(0, 30, options_.width / 2, 48, grey), 200);
+  EXPECT_EQ(0, list.count(0, 30, options_.width / 2, 48, grey));
+  const auto white = [](Rgb c) { return c.r > 248 && c.g > 248 && c.b > 248; };
+  EXPECT_EQ(0, line.count(0, options_.height / 2, options_.width, options_.height, white));
+  EXPECT_GT(list.count(0, options_.height / 2, options_.width, options_.height, white), 10000);
+  viewer_->press("h");
+  EXPECT_EQ(0, differing_pixels(line, shot()));
+}
+
+TEST_F(ViewerTest, ASmallWindowShowsTheKeysThatFit) {
+  options_.width = 320;
+  options_.height = 240;
+  open(scan_);
+  viewer_->wait();
+  EXPECT_TRUE(says("h  all keys"));
+  EXPECT_FALSE(says("q  quit"));
+}
+
 TEST_F(ViewerTest, KeysOfVtkDoNothing) {
   const Picture before = shot();
   for (const char* name : {"w", "s", "r", "3", "j", "t", "a", "i"}) key(name, name[0]);
@@ -63,7 +127,7 @@ TEST_F(ViewerTest, KeysOfVtkDoNothing) {
 }
 
 TEST_F(ViewerTest, LabelsHaveTheirColours) {
-  viewer_->toggle_labels();
+  viewer_->press("l");
   const Picture picture = shot();
   const auto is_green = [](Rgb c) { return c.g > c.r + 50 && c.g > c.b + 50; };
   const auto is_red = [](Rgb c) { return c.r > c.g + 50 && c.r > c.b + 50; };
@@ -80,10 +144,22 @@ TEST_F(ViewerTest, ColourRange) {
   EXPECT_GT(differing_pixels(before, shot()), 1000);
   key("bracketright", ']');
   EXPECT_NEAR(automatic.high, viewer_->state().range.high, 1e-12);
-  viewer_->scale_range(3);
+  for (int i = 0; i < 5; ++i) viewer_->press("bracketright");
+  EXPECT_NEAR(std::pow(1.25, 5) * automatic.high, viewer_->state().range.high, 1e-12);
   key("0", '0');
   EXPECT_NEAR(automatic.high, viewer_->state().range.high, 1e-12);
-  EXPECT_THROW(viewer_->scale_range(0), Error);
+}
+
+TEST_F(ViewerTest, AColourRangeKeepsTwoEnds) {
+  options_.width = 320;
+  options_.height = 240;
+  open(scan_);
+  viewer_->wait();
+  const double automatic = viewer_->state().range.high;
+  for (int i = 0; i < 70; ++i) viewer_->press("bracketright");
+  EXPECT_NEAR(1e6 * automatic, viewer_->state().range.high, 1e-3);
+  for (int i = 0; i < 130; ++i) viewer_->press("bracketleft");
+  EXPECT_NEAR(1e-6 * automatic, viewer_->state().range.high, 1e-15);
 }
 
 TEST_F(ViewerTest, SliderRecomputesWhenLetGo) {
@@ -114,14 +190,13 @@ TEST_F(ViewerTest, ComputingIsShownAndSuperseded) {
   EXPECT_TRUE(viewer_->state().computing);
   EXPECT_TRUE(says("computing"));
   EXPECT_EQ(0.5, viewer_->state().radius);
-  for (int i = 0; i < 2000 && !says("50 %"); ++i) {
-    viewer_->update();
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
+  wait_for([&] { return half_done_.load(); });
+  viewer_->update();
   EXPECT_TRUE(says("50 %"));
   key("f", 'f');
   EXPECT_EQ("east", viewer_->state().field) << "the window is alive";
   viewer_->set_radius(3);
+  wait_for([&] { return cancelled_ == 1; });
   hold_ = false;
   viewer_->wait();
   EXPECT_EQ(3, viewer_->state().radius);
@@ -195,9 +270,9 @@ TEST_F(ViewerTest, NoValueAndStatusOfAPickedPoint) {
 
 TEST_F(ViewerTest, MeasuringBallIsAsLargeAsTheRadius) {
   viewer_->pick_point(front_);
-  viewer_->toggle_ball();
+  viewer_->press("b");
   const Picture without = shot();
-  viewer_->toggle_ball();
+  viewer_->press("b");
   const Picture with = shot();
   const int ball = differing_pixels(without, with);
   const double scale = (viewer_->window_position(front_) - viewer_->window_position(front_ + 1)).norm() /
@@ -206,22 +281,22 @@ TEST_F(ViewerTest, MeasuringBallIsAsLargeAsTheRadius) {
   EXPECT_NEAR(disc, ball, 0.2 * disc);
   viewer_->set_radius(0.25);
   viewer_->wait();
-  viewer_->toggle_ball();
+  viewer_->press("b");
   const Picture none = shot();
-  viewer_->toggle_ball();
+  viewer_->press("b");
   EXPECT_NEAR(0.25, static_cast<double>(differing_pixels(none, shot())) / ball, 0.05);
 }
 
 TEST_F(ViewerTest, DirectionsEdgesAndHelpAreDrawn) {
   const Picture before = shot();
-  viewer_->next_directions();
+  viewer_->press("d");
   EXPECT_GT(differing_pixels(before, shot()), 300);
-  for (int i = 0; i < 3; ++i) viewer_->next_directions();
+  for (int i = 0; i < 3; ++i) viewer_->press("d");
   EXPECT_EQ(0, differing_pixels(before, shot()));
   key("e", 'e');
   EXPECT_GT(differing_pixels(before, shot()), 1000);
   key("e", 'e');
-  viewer_->toggle_help();
+  viewer_->press("h");
   EXPECT_GT(differing_pixels(before, shot()), 3000);
 }
 
@@ -248,6 +323,34 @@ TEST_F(ViewerTest, RunsUntilTheWindowIsClosed) {
   viewer_->set_radius(2);
   viewer_->run();
   EXPECT_EQ(2, viewer_->state().radius);
+}
+
+TEST_F(ViewerTest, TheExecutionReachesTheComputation) {
+  Execution run;
+  run.threads = 3;
+  viewer_ = std::make_unique<Viewer>(
+      scan_, [this](double radius, const Execution& given) { return compute(radius, given); }, options_, run);
+  viewer_->wait();
+  EXPECT_EQ(3, threads_);
+  std::atomic<bool> stop{true};
+  run.cancel = &stop;
+  const int before = computed_;
+  const auto compute_nothing = [](double, const Execution&) { return ViewData(); };
+  EXPECT_THROW(Viewer(scan_, compute_nothing, options_, run), Cancelled);
+  EXPECT_EQ(before, computed_);
+}
+
+TEST_F(ViewerTest, TheSliderHasAutomaticEnds) {
+  options_.min_radius = options_.max_radius = options_.radius = 0;
+  open(scan_);
+  viewer_->set_radius(1e9);
+  viewer_->wait();
+  EXPECT_NEAR(0.25 * bounds(scan_.points).diagonal(), viewer_->state().radius, 1e-9);
+  viewer_->set_radius(1e-9);
+  viewer_->wait();
+  // Between the distance of neighbours on the last ring and on the equator.
+  EXPECT_GT(viewer_->state().radius, 2 * kPi / kColumns * std::sin(0.5 * kPi / kRows));
+  EXPECT_LT(viewer_->state().radius, 1.001 * kPi / kRows);
 }
 
 TEST_F(ViewerTest, FieldsByName) {
@@ -277,6 +380,11 @@ TEST(ViewerErrors, NoDisplayAndBadOptions) {
   options.min_radius = 0.1;
   EXPECT_THROW(Viewer(sphere(), Recompute(), options), Error);
   EXPECT_THROW(Viewer(Scan(), compute, options), Error);
+  Scan one_place;
+  one_place.points.assign(3, Vec3(1, 2, 3));
+  options.min_radius = 0;
+  EXPECT_THROW(Viewer(one_place, compute, options), Error);
+  options.min_radius = 0.1;
   Viewer viewer(sphere(), compute, options);
   viewer.wait();
   EXPECT_NE(std::string::npos, viewer.text().find("one value a point"));
