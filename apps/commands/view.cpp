@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "command.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/read.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/segment/regions.hpp"
 #include "kappa/view/viewer.hpp"
 #include "pipeline.hpp"

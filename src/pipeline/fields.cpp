@@ -3,6 +3,7 @@
 
 #include "kappa/core/checks.hpp"
 #include "kappa/core/decimal.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/scan/thin.hpp"
+#include "kappa/scan/units.hpp"
 
 namespace kappa {
 namespace {

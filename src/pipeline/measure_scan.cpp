@@ -11,6 +11,8 @@
 #include "kappa/curvature/shape_operators.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/pipeline/ball_sum.hpp"
+#include "kappa/scan/scan.hpp"
+#include "kappa/scan/units.hpp"
 #include "point_order.hpp"
 
 namespace kappa {

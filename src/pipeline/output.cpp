@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "kappa/pipeline/fields.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

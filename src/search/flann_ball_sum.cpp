@@ -7,6 +7,7 @@
 
 #include "balls/ball_workspace.hpp"
 #include "balls/whole_measures.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/spatial_order.hpp"
 #include "kd_tree.hpp"
 

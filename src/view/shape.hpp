@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "kappa/core/execution.hpp"
-#include "kappa/mesh/mesh.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/view/colour_map.hpp"
 

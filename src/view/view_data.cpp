@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

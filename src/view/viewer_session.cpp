@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "discs.hpp"
+#include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "viewer_keys.hpp"
 #include "viewer_text.hpp"
 

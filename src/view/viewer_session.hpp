@@ -8,6 +8,7 @@
 
 #include "computation.hpp"
 #include "viewer_window.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::view_detail {
 

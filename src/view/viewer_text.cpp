@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include "kappa/core/bounds.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa::view_detail {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "../../src/view/steps.hpp"
 #include "kappa/core/error.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/display.hpp"
 #include "kappa/view/figure.hpp"
 #include "picture_reader.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/view_data.hpp"
 
 #include <gtest/gtest.h>

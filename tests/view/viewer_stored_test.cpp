@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer_fixture.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

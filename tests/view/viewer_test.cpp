@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+#include "kappa/core/bounds.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "kappa/core/curvatures.hpp"
 #include "kappa/core/execution.hpp"
+#include "kappa/core/percentiles.hpp"
 
 namespace kappa {
 

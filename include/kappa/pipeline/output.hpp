@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kappa/pipeline/measure_scan.hpp"
+#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kappa/core/labels.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/colour_map.hpp"
 #include "kappa/view/figure.hpp"
 

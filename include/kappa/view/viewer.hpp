@@ -7,6 +7,7 @@
 #include <string>
 
 #include "kappa/core/execution.hpp"
+#include "kappa/scan/scan.hpp"
 #include "kappa/view/figure.hpp"
 #include "kappa/view/view_data.hpp"
 
