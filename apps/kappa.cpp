@@ -31,10 +31,10 @@ void declare(CLI::App& program) {
   kappa::app::add_info(program);
 }
 
-int fail(const char* what) {
+int fail(const char* what, int code = kappa::app::kFailed) {
   kappa::app::clear_progress();
   std::fprintf(stderr, "kappa: %s\n", what);
-  return kappa::app::kFailed;
+  return code;
 }
 
 /// Says which command does not exist, where that is what is wrong; CLI11 lists all words of the line, last first.
@@ -66,7 +66,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return fail_usage(program, error);
   } catch (const kappa::Cancelled&) {
-    return fail("cancelled; nothing was written");
+    return fail("cancelled; nothing was written", kappa::app::kCancelled);
   } catch (const std::bad_alloc&) {
     return fail("out of memory; give a smaller cloud, a smaller radius or fewer fields");
   }

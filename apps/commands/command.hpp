@@ -9,7 +9,8 @@
 namespace kappa::app {
 
 /// What the program exits with.
-inline constexpr int kDone = 0, kFailed = 1, kUsage = 2;
+/// Cancelled: 128 + SIGINT, as shells have it.
+inline constexpr int kDone = 0, kFailed = 1, kUsage = 2, kCancelled = 130;
 
 /// Each adds its sub-command to the program. The command runs when the sub-command has been parsed, throws
 /// kappa::Error where it fails and CLI::ValidationError on a wrong use that only shows with all options known.
@@ -35,8 +36,7 @@ inline void require_one(CLI::App& command, const std::string& what) {
 /// Adds a sub-command that owns its options: `declare(command, options)` binds them, `run(options)` does the work.
 template <class Options>
 void add_command(CLI::App& program, const std::string& name, const std::string& description,
-                 const std::function<void(CLI::App&, Options&)>& declare,
-                 const std::function<void(const Options&)>& run) {
+                 const std::function<void(CLI::App&, Options&)>& declare, const std::function<void(Options)>& run) {
   CLI::App* command = program.add_subcommand(name, description);
   const auto options = std::make_shared<Options>();
   declare(*command, *options);

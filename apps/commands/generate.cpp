@@ -9,7 +9,6 @@
 #include "kappa/shapes/analytic.hpp"
 #include "kappa/shapes/noise.hpp"
 #include "kappa/shapes/scanner.hpp"
-#include "surface_options.hpp"
 
 namespace kappa::app {
 namespace {

@@ -2,12 +2,12 @@
 #include <cstdio>
 
 #include "command.hpp"
-#include "filters.hpp"
 #include "json.hpp"
 #include "kappa/core/bounds.hpp"
 #include "kappa/io/las/file.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/mesh/topology.hpp"
+#include "kappa/pipeline/filter_scan.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/search/fitted_normals.hpp"
 #include "kappa/surface/surface.hpp"
@@ -19,13 +19,13 @@ namespace {
 
 struct InfoArguments {
   std::string input;
-  FilterArguments filters;
+  FilterOptions filters;
   bool json = false;
 };
 
 struct Info {
   Scan scan;
-  Filtered filtered;
+  FilteredScan filtered;
   LengthUnits units;
   std::size_t invalid = 0, duplicates = 0;
   Bounds extent;  ///< in the coordinates of the file
@@ -35,12 +35,11 @@ struct Info {
   Topology topology;
 };
 
-Info gather(const std::string& input, const FilterArguments& filters) {
-  check(filters);
+Info gather(const std::string& input, const FilterOptions& filters) {
   Info info;
   info.scan = read_scan(input);
   info.units = info.scan.units;
-  info.filtered = filter(info.scan, input, filters, {});
+  info.filtered = filter_scan(info.scan, input, filters, {});
   const std::vector<Index> representative = find_duplicates(info.scan.points);
   for (Index i = 0; i < representative.size(); ++i) {
     info.invalid += representative[i] == kNoIndex;
@@ -147,12 +146,12 @@ void add_info(CLI::App& program) {
       program, "info", "What is in a file: counts, extents, spacing, normals, topology, suggested radius",
       [](CLI::App& command, InfoArguments& arguments) {
         command.add_option("input", arguments.input, "Scan or mesh")->required();
-        declare(command, arguments.filters);
+        declare_filters(command, arguments.filters);
         command.add_flag("--json", arguments.json, "As one JSON object on standard output");
       },
       [](const InfoArguments& arguments) {
         const Info info = gather(arguments.input, arguments.filters);
-        warn(unit_warning(info.scan, arguments.input, arguments.filters));
+        warn_user(unit_warning(info.scan, arguments.input, arguments.filters));
         if (arguments.json) {
           print_json(arguments.input, info);
         } else {

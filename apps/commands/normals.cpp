@@ -3,35 +3,41 @@
 
 #include "command.hpp"
 #include "kappa/io/write.hpp"
+#include "kappa/pipeline/output.hpp"
 #include "kappa/scan/scan.hpp"
-#include "pipeline.hpp"
+#include "scan_command.hpp"
 
 namespace kappa::app {
 namespace {
 
-void declare_normals(CLI::App& command, SurfaceCommand& arguments) {
+void declare(CLI::App& command, ScanCommand& arguments) {
   declare_files(command, arguments, "the same with corrected normals, .ply .pcd .csv .vtp .las");
-  declare(command, arguments.surface);
-  declare(command, arguments.run);
+  declare_filters(command, arguments.scan.filter);
+  declare_surface(command, arguments.scan);
+  declare_run(command, arguments);
 }
 
-void run_normals(const SurfaceCommand& arguments) {
+void run(ScanCommand arguments) {
+  check(arguments.scan);
   check_writable(arguments.output);
-  Stages stages(arguments.run.threads, arguments.run.seed, arguments.run.quiet);
-  const SurfaceResult result = read_and_make_surface(arguments, stages);
-  Scan out = output_scan(result);
-  out.fields = result.scan.fields;
-  stages.run("write", [&](const Execution& run) { write_scan(arguments.output, out, run); });
+  Stages stages(arguments.run.threads, arguments.run.quiet);
+  const SurfacedScan surfaced = surface_scan(read_input(arguments, stages), arguments.scan, stages);
+  stages.run("write", [&](const Execution& execution) {
+    Scan out = output_scan(surfaced, stage(execution, 0.0, 0.2));
+    out.fields = surfaced.scan.fields;
+    write_scan(arguments.output, out, stage(execution, 0.2, 1.0));
+  });
   if (arguments.run.quiet) return;
-  const Surface& s = result.surface;
+  const Surface& s = surfaced.surface;
   std::printf("%s: %zu points, normals %s, sign by %s, %zu without a normal\n", arguments.output.c_str(),
-              out.points.size(), name(s.normals), name(s.orientation), s.invalid_points + s.normalless_points);
+              surfaced.scan.points.size(), name(s.normals), name(s.orientation),
+              s.invalid_points + s.normalless_points);
 }
 
 }  // namespace
 
 void add_normals(CLI::App& program) {
-  add_command<SurfaceCommand>(program, "normals", "Corrected normals only", declare_normals, run_normals);
+  add_command<ScanCommand>(program, "normals", "Corrected normals only", declare, run);
 }
 
 }  // namespace kappa::app

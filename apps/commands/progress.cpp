@@ -41,21 +41,20 @@ void clear_progress() {
   if (g_bar_shown.exchange(false)) std::fputs("\r\033[K", stderr);
 }
 
-void warn(const std::string& warning) {
+void warn_user(const std::string& warning) {
   if (warning.empty()) return;
   clear_progress();
   std::fprintf(stderr, "kappa: warning: %s\n", warning.c_str());
 }
 
-Stages::Stages(int threads, std::uint64_t seed, bool quiet)
-    : threads_(threads), seed_(seed), bar_(!quiet && isatty(STDERR_FILENO) == 1) {}
+Stages::Stages(int threads, bool quiet)
+    : threads_(threads), quiet_(quiet), bar_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 Execution Stages::begin(const std::string& name) {
   name_ = name;
   start_ = std::chrono::steady_clock::now();
   Execution execution;
   execution.threads = threads_;
-  execution.seed = seed_;
   execution.cancel = &g_interrupted;
   if (bar_) execution.progress = [name](double done) { draw_bar(name, done); };
   return execution;
@@ -64,6 +63,10 @@ Execution Stages::begin(const std::string& name) {
 void Stages::end() {
   clear_progress();
   timed_.push_back({name_, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count()});
+}
+
+void Stages::warn(const std::string& sentence) {
+  if (!quiet_) warn_user(sentence);
 }
 
 }  // namespace kappa::app

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <string>
 #include <vector>
 
-#include "kappa/core/execution.hpp"
+#include "kappa/pipeline/stages.hpp"
 
 namespace kappa::app {
 
@@ -19,39 +20,34 @@ const std::atomic<bool>& interrupted();
 void clear_progress();
 
 /// Says `warning` on the standard error, if it is not empty.
-void warn(const std::string& warning);
+void warn_user(const std::string& warning);
 
-/// Times the stages of a command and shows a bar for each on a terminal.
-class Stages {
+/// Times the stages of a command, shows a bar for each on a terminal, and cancels them on Ctrl-C.
+class Stages final : public StageWatch {
  public:
   struct Timed {
     std::string name;
     double seconds;
   };
 
-  /// `quiet`: never a bar. `threads` and `seed` as in Execution.
-  Stages(int threads, std::uint64_t seed, bool quiet);
+  /// `quiet`: never a bar, never a warning. `threads` as in Execution.
+  Stages(int threads, bool quiet);
+
+  Execution begin(const std::string& name) override;
+  void end() override;
+  void warn(const std::string& sentence) override;
 
   /// Runs `body(execution)` as the stage `name` and returns what it returns.
   template <class Body>
   auto run(const std::string& name, Body&& body) {
-    const Execution execution = begin(name);
-    struct Ender {
-      Stages& stages;
-      ~Ender() { stages.end(); }
-    } ender{*this};
-    return body(execution);
+    return run_stage(*this, name, std::forward<Body>(body));
   }
 
   const std::vector<Timed>& timed() const { return timed_; }
 
  private:
-  Execution begin(const std::string& name);
-  void end();
-
   int threads_;
-  std::uint64_t seed_;
-  bool bar_;
+  bool quiet_, bar_;
   std::string name_;
   std::chrono::steady_clock::time_point start_;
   std::vector<Timed> timed_;

@@ -10,7 +10,6 @@
 #include "kappa/view/figure.hpp"
 #include "kappa/view/view_data.hpp"
 #include "progress.hpp"
-#include "surface_options.hpp"
 #include "up_axis.hpp"
 
 namespace kappa::app {
@@ -116,7 +115,7 @@ std::vector<Label> labels_of(const RenderArguments& arguments, const Scan& scan)
 }
 
 void run_render(const RenderArguments& arguments) {
-  Stages stages(0, 0, arguments.quiet);
+  Stages stages(0, arguments.quiet);
   const Scan scan = stages.run("read", [&](const Execution&) { return read_scan(arguments.input); });
   const FigureOptions options = figure_options(arguments, scan);
   stages.run("draw", [&](const Execution& run) {

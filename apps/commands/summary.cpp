@@ -5,12 +5,23 @@
 #include <cmath>
 #include <cstdio>
 
-#include "json.hpp"
 #include "kappa/core/percentiles.hpp"
-#include "kappa/curvature/refine.hpp"
 
 namespace kappa::app {
 namespace {
+
+std::size_t size_of(const std::optional<SetAside>& points) {
+  return points ? points->size() : 0;
+}
+
+std::array<std::pair<const char*, std::size_t>, 6> counts_of(const FilteredScan& f) {
+  return {{{"unplaced", f.selected.unplaced},
+           {"class", f.selected.by_class},
+           {"return", f.selected.by_returns},
+           {"bounds", f.selected.by_bounds},
+           {"ground", f.objects},
+           {"voxel", f.thinned}}};
+}
 
 using Percentiles = FieldSummary::Percentiles;
 
@@ -37,11 +48,11 @@ std::string extent_of_fits(const Surface& s) {
                              : " of the " + nearest;
 }
 
-void print_points(const Measured& m) {
-  const Surface& s = m.surface;
-  const std::string filtered = describe(m.filtered);
+void print_points(const ScanResult& m) {
+  const Surface& s = m.prepared.surfaced.surface;
+  const std::string filtered = describe(m.prepared.surfaced.filtered);
   if (!filtered.empty()) std::printf("filter      %s\n", filtered.c_str());
-  std::printf("points      %zu", m.scan.points.size());
+  std::printf("points      %zu", m.prepared.surfaced.scan.points.size());
   if (s.duplicate_points) std::printf(", %zu at the position of another", s.duplicate_points);
   if (s.invalid_points) std::printf(", %zu without a position", s.invalid_points);
   if (s.normalless_points) std::printf(", %zu without a normal", s.normalless_points);
@@ -49,12 +60,12 @@ void print_points(const Measured& m) {
   if (s.at_sensor) std::printf(", %zu at the scanner (no return)", s.at_sensor);
   std::printf("\nsurface     %s (%s): ", name(s.kind), s.reason.c_str());
   if (m.has_faces) {
-    std::printf("%zu faces, median edge %s", m.faces, short_number(s.spacing).c_str());
+    std::printf("%zu faces, median edge %s", m.prepared.faces, short_number(s.spacing).c_str());
   } else {
     std::printf("triangles of each point alone, median spacing %s", short_number(s.spacing).c_str());
   }
   if (s.cut_faces) std::printf(", %zu cut (gap, depth edge or grazing)", s.cut_faces);
-  const std::size_t dropped = m.dropped_faces;
+  const std::size_t dropped = m.prepared.dropped_faces;
   if (dropped) std::printf(", %zu left out (a corner lacks position or normal)", dropped);
   std::printf("\nnormals     %s%s, sign by %s\n", name(s.normals), extent_of_fits(s).c_str(), name(s.orientation));
 }
@@ -86,26 +97,27 @@ void print_own_scales(const CurvatureField& field) {
               short_number(radii.p50).c_str(), short_number(radii.p1).c_str(), short_number(radii.p99).c_str());
 }
 
-void warn_of_rough_normals(const Measured& m, int refinements) {
-  if (refinements == 0 || !(normal_roughness(m.surface.mesh, m.surface.u) > kRoughNormals)) return;
+void warn_of_rough_normals(const ScanResult& m) {
+  if (!m.prepared.rough_normals) return;
   std::printf(
       "warning     the normals are not those of a smooth surface through the points, so --refine gains nothing; "
       "leave it out\n");
 }
 
-Execution execution_of(const CurvatureArguments& arguments) {
+Execution execution_of(const ScanCommand& arguments) {
   Execution run;
   run.threads = arguments.run.threads;
   return run;
 }
 
-void print_field(const Measured& m, const CurvatureField& field, const Execution& run) {
+void print_field(const ScanResult& m, const CurvatureField& field, const Execution& run) {
   const FieldSummary s = summarise(field, run);
   if (field.own_scales()) {
     print_own_scales(field);
     std::printf("curvatures  %zu valid", s.valid);
   } else if (m.has_faces) {
-    const std::string why = m.automatic ? " (automatic: " + automatic_radius_reason(m.surface) + ")" : "";
+    const std::string why =
+        m.automatic_radius ? " (automatic: " + automatic_radius_reason(m.prepared.surfaced.surface) + ")" : "";
     std::printf("radius      %s%s: %zu valid", short_number(field.radius).c_str(), why.c_str(), s.valid);
   } else {
     std::printf("curvatures  %zu valid", s.valid);
@@ -124,7 +136,7 @@ void print_field(const Measured& m, const CurvatureField& field, const Execution
               short_number(errors.p50).c_str(), short_number(errors.p99).c_str());
 }
 
-void print_segments(const SegmentSummary& s) {
+void print_segments(const LabelledScan& s) {
   std::printf("labels      a curvature below %s counts as 0 (%s)\n", short_number(s.threshold).c_str(),
               s.estimated ? "estimated" : "given");
   const auto counts = count_labels(s.segmentation.labels);
@@ -138,14 +150,13 @@ void print_segments(const SegmentSummary& s) {
   }
 }
 
-void print_text(const CurvatureArguments& arguments, const Measured& m, const std::vector<SegmentSummary>& segments,
-                const std::vector<Stages::Timed>& timed) {
+void print_text(const ScanCommand& arguments, const ScanResult& m, const std::vector<Stages::Timed>& timed) {
   print_points(m);
-  warn_of_disagreement(m.surface.agreement);
-  warn_of_rough_normals(m, arguments.measure.refine);
+  warn_of_disagreement(m.prepared.surfaced.surface.agreement);
+  warn_of_rough_normals(m);
   for (std::size_t r = 0; r < m.fields.size(); ++r) {
     print_field(m, m.fields[r], execution_of(arguments));
-    if (r < segments.size()) print_segments(segments[r]);
+    if (r < m.labels.size()) print_segments(m.labels[r]);
   }
   std::printf("seconds    ");
   for (const auto& stage : timed) std::printf(" %s %.2f", stage.name.c_str(), stage.seconds);
@@ -159,7 +170,7 @@ Json percentiles_json(const FieldSummary& s) {
   return json;
 }
 
-Json segments_json(const SegmentSummary& s) {
+Json segments_json(const LabelledScan& s) {
   Json labels;
   const auto counts = count_labels(s.segmentation.labels);
   for (std::size_t i = 0; i < counts.size(); ++i) labels.add(label_name(static_cast<Label>(i)), counts[i]);
@@ -185,24 +196,23 @@ Json field_json(const CurvatureField& field, const Execution& run) {
       .add("percentiles", percentiles_json(s));
 }
 
-void print_json(const CurvatureArguments& arguments, const Measured& m, const std::vector<SegmentSummary>& segments,
-                const std::vector<Stages::Timed>& timed) {
+void print_json(const ScanCommand& arguments, const ScanResult& m, const std::vector<Stages::Timed>& timed) {
   std::vector<std::string> fields;
   for (std::size_t r = 0; r < m.fields.size(); ++r) {
     Json field = field_json(m.fields[r], execution_of(arguments));
-    if (r < segments.size()) field.add("segments", segments_json(segments[r]));
+    if (r < m.labels.size()) field.add("segments", segments_json(m.labels[r]));
     fields.push_back(field.text());
   }
   Json seconds;
   for (const auto& stage : timed) seconds.add(stage.name, stage.seconds);
-  const Surface& s = m.surface;
+  const Surface& s = m.prepared.surfaced.surface;
   std::printf("%s\n", Json()
                           .add("input", arguments.input)
                           .add("output", arguments.output)
-                          .add("points", m.scan.points.size())
-                          .add("filter", to_json(m.filtered))
-                          .add("faces", m.faces)
-                          .add("dropped_faces", m.dropped_faces)
+                          .add("points", m.prepared.surfaced.scan.points.size())
+                          .add("filter", to_json(m.prepared.surfaced.filtered))
+                          .add("faces", m.prepared.faces)
+                          .add("dropped_faces", m.prepared.dropped_faces)
                           .add("cut_faces", s.cut_faces)
                           .add("at_sensor", s.at_sensor)
                           .add("opposed_normals", s.agreement.opposed_share())
@@ -215,7 +225,7 @@ void print_json(const CurvatureArguments& arguments, const Measured& m, const st
                           .add("normals", name(s.normals))
                           .add("orientation", name(s.orientation))
                           .add("spacing", s.spacing)
-                          .add("radius_reason", m.automatic ? automatic_radius_reason(s) : std::string())
+                          .add("radius_reason", m.automatic_radius ? automatic_radius_reason(s) : std::string())
                           .add("noise", s.scale.noise)
                           .add("normal_neighbours", static_cast<std::size_t>(s.normal_neighbours))
                           .add("normal_radius", s.normal_radius)
@@ -233,13 +243,35 @@ std::string short_number(double value) {
   return text.data();
 }
 
-void print_summary(const CurvatureArguments& arguments, const Measured& measured,
-                   const std::vector<SegmentSummary>& segments, const std::vector<Stages::Timed>& timed) {
+void print_summary(const ScanCommand& arguments, const ScanResult& result, const std::vector<Stages::Timed>& timed) {
   if (arguments.run.json) {
-    print_json(arguments, measured, segments, timed);
+    print_json(arguments, result, timed);
   } else if (!arguments.run.quiet) {
-    print_text(arguments, measured, segments, timed);
+    print_text(arguments, result, timed);
   }
+}
+
+std::string describe(const FilteredScan& f) {
+  std::string text;
+  for (const auto& [name, count] : counts_of(f)) {
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) +
+            (std::string(name) == "unplaced" ? " without a position" : std::string(" by ") + name);
+  }
+  if (!text.empty()) text = std::to_string(f.points) + " points read; taken away: " + text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : "; ") + std::to_string(count) + what;
+  };
+  add(size_of(f.no_returns), " points at (0, 0, 0) are taken for no returns");
+  add(size_of(f.withheld), " points are flagged as withheld and not measured (--withheld measures them)");
+  return text;
+}
+
+Json to_json(const FilteredScan& f) {
+  Json json;
+  json.add("points_read", f.points).add("no_returns", size_of(f.no_returns)).add("withheld", size_of(f.withheld));
+  for (const auto& [name, count] : counts_of(f)) json.add(name, count);
+  return json.add("z_scale", f.heights.z_scale());
 }
 
 }  // namespace kappa::app

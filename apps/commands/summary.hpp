@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "kappa/segment/regions.hpp"
-#include "pipeline.hpp"
+#include <string>
+#include <vector>
+
+#include "json.hpp"
+#include "kappa/pipeline/measure_scan.hpp"
+#include "progress.hpp"
+#include "scan_command.hpp"
 
 namespace kappa::app {
 
-/// A decomposition at one radius, as the summary shows it.
-struct SegmentSummary {
-  double threshold = 0;
-  bool estimated = false;
-  Segmentation segmentation;
-};
-
 /// Prints what was done: text for people, or one JSON object, or nothing, as the options say.
-/// `segments` is empty or has one entry a radius.
-void print_summary(const CurvatureArguments& arguments, const Measured& measured,
-                   const std::vector<SegmentSummary>& segments, const std::vector<Stages::Timed>& timed);
+void print_summary(const ScanCommand& arguments, const ScanResult& result, const std::vector<Stages::Timed>& timed);
+
+/// What the filters did, for people; empty if nothing.
+std::string describe(const FilteredScan& filtered);
+Json to_json(const FilteredScan& filtered);
 
 /// A number with four significant digits, for people.
 std::string short_number(double value);

@@ -7,31 +7,34 @@
 #include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/read.hpp"
+#include "kappa/pipeline/output.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/segment/regions.hpp"
 #include "kappa/view/viewer.hpp"
-#include "pipeline.hpp"
+#include "scan_command.hpp"
 #include "up_axis.hpp"
 
 namespace kappa::app {
 namespace {
 
 struct ViewArguments {
-  CurvatureArguments curvature;
+  ScanCommand curvature;
   std::string picture_folder = ".";
   std::optional<UpAxis> up;
 };
 
-void declare_view(CLI::App& command, ViewArguments& arguments) {
+void declare(CLI::App& command, ViewArguments& arguments) {
   command
       .add_option(
           "input", arguments.curvature.input,
           "Scan, mesh, or result of `kappa curvature` or `kappa segment`. Without --radius, the window shows the "
           "curvatures that the file holds, and nothing is measured until the slider is moved")
       ->required();
-  declare(command, arguments.curvature.filters);
+  declare_filters(command, arguments.curvature.scan.filter);
   declare_up_axis(command, arguments.up);
-  declare_stages(command, arguments.curvature);
+  declare_curvature(command, arguments.curvature.scan);
+  declare_surface(command, arguments.curvature.scan);
+  declare_run(command, arguments.curvature);
   command.add_option("--pictures", arguments.picture_folder, "Folder in which the key c saves pictures")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
@@ -49,7 +52,7 @@ NamedValues named_values(const CurvatureField& field, const char* name, const ch
   return named;
 }
 
-ViewData view_data(const CurvatureField& field, double threshold) {
+ViewData view_data(const CurvatureField& field, std::vector<Label> labels) {
   const auto signed_map = ColourMap::Diverging, unsigned_map = ColourMap::Sequential;
   ViewData data;
   data.radius = field.radius;
@@ -60,7 +63,7 @@ ViewData view_data(const CurvatureField& field, double threshold) {
       named_values(field, "k min", "1/length", signed_map, [](const CurvatureSample& s) { return s.k.k_min; }),
       named_values(field, "k max", "1/length", signed_map, [](const CurvatureSample& s) { return s.k.k_max; }),
       named_values(field, "coverage", "", unsigned_map, [](const CurvatureSample& s) { return s.coverage; })};
-  data.labels = classify(field, threshold);
+  data.labels = std::move(labels);
   for (const CurvatureSample& s : field.samples) {
     data.status.push_back(s.k.status);
     data.directions.dir_min.push_back(s.k.dir_min);
@@ -69,11 +72,22 @@ ViewData view_data(const CurvatureField& field, double threshold) {
   return data;
 }
 
-ViewData measure_at(double radius, const Measured& m, const CurvatureArguments& arguments, const Execution& run) {
-  const std::vector<CurvatureField> fields = measure(m, arguments.measure, {radius}, stage(run, 0.0, 0.9));
-  const double threshold = estimate_threshold(*m.balls, m.surface.mesh.vertices, m.surface.u, fields.front(),
-                                              arguments.measure.ball, m.surface.spacing, stage(run, 0.9, 1.0));
-  return view_data(fields.front(), threshold >= 0 ? threshold : 0.0);
+/// Labels are those of `kappa segment`; none where the data cannot tell flat from curved.
+std::vector<Label> labels_of(const PreparedScan& prepared, const CurvatureField& field, const ScanOptions& options,
+                             const Execution& run) {
+  try {
+    return label(prepared, field, options, run).segmentation.labels;
+  } catch (const Error&) {
+    return std::vector<Label>(field.samples.size(), Label::Undefined);
+  }
+}
+
+ViewData measure_at(double radius, const PreparedScan& prepared, const ScanOptions& options, const Execution& run) {
+  CurvatureOptions curvature = options.curvature;
+  curvature.scale = ScaleChoice::Given;
+  curvature.radii = {radius};
+  const std::vector<CurvatureField> fields = measure(prepared, curvature, stage(run, 0.0, 0.8));
+  return view_data(fields.front(), labels_of(prepared, fields.front(), options, stage(run, 0.8, 1.0)));
 }
 
 ViewerOptions viewer_options(const ViewArguments& arguments, const Scan& scan) {
@@ -93,64 +107,60 @@ void show(Scan scan, const Recompute& recompute, const ViewerOptions& options, S
   std::signal(SIGINT, SIG_DFL);
   if (interrupted()) throw Cancelled();
   viewer->run();
-  // Stages that the slider has started poll for interrupts alone; closing the window is one.
-  catch_interrupts();
-  std::raise(SIGINT);
 }
 
 /// Measures first, then shows.
-void view_measured(const ViewArguments& arguments, Stages& stages) {
-  const CurvatureArguments& common = arguments.curvature;
-  Measured m = prepare(common, stages);
-  double radius = choose_radii(common, m).front();
-  const double spacing = m.surface.spacing;
+void view_measured(const ViewArguments& arguments, Scan input, Stages& stages) {
+  const ScanOptions& options = arguments.curvature.scan;
+  const PreparedScan prepared = prepare_scan(std::move(input), options, stages);
+  const Scan& measured = prepared.surfaced.scan;
+  double radius = with_radii(options.curvature, prepared.surfaced.surface, options.name).radii.front();
+  const double spacing = prepared.surfaced.surface.spacing;
   if (radius == 0) radius = spacing;  // the slider is logarithmic; the finest scale is that of the edges
-  Scan scan = output_scan(m);
-  ViewerOptions options = viewer_options(arguments, m.scan);
-  options.min_radius = std::min(spacing, radius);
-  options.max_radius = std::max({0.25 * bounds(m.scan.points).diagonal(), 2 * options.min_radius, radius});
-  options.radius = radius;
-  show(
-      std::move(scan), [&](double r, const Execution& run) { return measure_at(r, m, common, run); }, options, stages);
+  Scan scan = stages.run("window", [&](const Execution& run) { return output_scan(prepared.surfaced, run); });
+  ViewerOptions window = viewer_options(arguments, measured);
+  window.min_radius = std::min(spacing, radius);
+  window.max_radius = std::max({0.25 * bounds(measured.points).diagonal(), 2 * window.min_radius, radius});
+  window.radius = radius;
+  const Recompute recompute = [&](double r, const Execution& run) { return measure_at(r, prepared, options, run); };
+  show(std::move(scan), recompute, window, stages);
 }
 
 /// Shows the curvatures that `scan` holds. The surface is made when the slider is moved for the first time.
 void view_stored(const ViewArguments& arguments, Scan scan, Stages& stages) {
-  const CurvatureArguments& common = arguments.curvature;
-  stages.run("filter", [&](const Execution& run) { filter(scan, common.input, common.filters, run).restore(scan); });
-  Stages later(common.run.threads, common.run.seed, true);
-  std::optional<Measured> measured;
+  const ScanOptions& options = arguments.curvature.scan;
+  const Scan input = scan;
+  stages.run("filter",
+             [&](const Execution& run) { filter_scan(scan, options.name, options.filter, run).restore(scan); });
+  std::optional<PreparedScan> prepared;
   const Recompute recompute = [&](double r, const Execution& run) {
-    if (!measured) measured = prepare(common, later);
-    return measure_at(r, *measured, common, run);
+    if (!prepared) prepared = prepare_scan(input, options, stage(run, 0.0, 0.5));
+    return measure_at(r, *prepared, options, stage(run, 0.5, 1.0));
   };
-  const ViewerOptions options = viewer_options(arguments, scan);
-  show(std::move(scan), recompute, options, stages);
+  const ViewerOptions window = viewer_options(arguments, scan);
+  show(std::move(scan), recompute, window, stages);
 }
 
-void run_view(const ViewArguments& arguments) {
-  const CurvatureArguments& common = arguments.curvature;
-  need_faces(common.surface, "view");
-  check_measure(common.measure);
-  check(common.filters);
-  if (common.measure.own_scales())
+void run(ViewArguments arguments) {
+  ScanCommand& common = arguments.curvature;
+  check(common.scan);
+  check_faces(common.scan);
+  if (common.scan.curvature.scale == ScaleChoice::PerPoint)
     throw CLI::ValidationError("--radius",
                                "auto-per-point leaves the slider nothing to choose; view the result of "
                                "'kappa curvature' instead, or give a radius");
-  Stages stages(common.run.threads, common.run.seed, common.run.quiet);
-  if (common.measure.radii.empty()) {
-    Scan scan = stages.run("read", [&](const Execution&) { return read_scan(common.input); });
-    if (!stored_sets(scan).empty()) return view_stored(arguments, std::move(scan), stages);
-  }
-  view_measured(arguments, stages);
+  Stages stages(common.run.threads, common.run.quiet);
+  Scan scan = read_input(common, stages);
+  const bool no_radius = common.scan.curvature.scale == ScaleChoice::Automatic;
+  if (no_radius && !stored_sets(scan).empty()) return view_stored(arguments, std::move(scan), stages);
+  view_measured(arguments, std::move(scan), stages);
 }
 
 }  // namespace
 
 void add_view(CLI::App& program) {
-  add_command<ViewArguments>(program, "view",
-                             "Shows a scan, a mesh or a result in a window, with a slider for the radius", declare_view,
-                             run_view);
+  add_command<ViewArguments>(
+      program, "view", "Shows a scan, a mesh or a result in a window, with a slider for the radius", declare, run);
 }
 
 }  // namespace kappa::app

@@ -10,6 +10,10 @@ std::vector<char> find_ground_progressively(const std::vector<Vec3>&, const Prog
   throw Error(ErrorCode::Unavailable, "this program was built without PCL, so it has no --ground=pmf: give --ground");
 }
 
+std::vector<char> progressive_ground(const std::vector<Vec3>& points, const GroundFilter&, double) {
+  return find_ground_progressively(points, {});
+}
+
 CloudSurface greedy_surface(const Vec3&, const std::vector<Vec3>&, const Normals&, const GreedyOptions&) {
   throw Error(ErrorCode::Unavailable,
               "this program was built without PCL, so it has no --surface greedy: give --surface umbrella");

@@ -21,9 +21,8 @@ const std::vector<Named<Precision>>& names_of(Precision) {
 }
 
 const std::vector<Named<Engine>>& names_of(Engine) {
-  static const std::vector<Named<Engine>> names = {
-      {Engine::Tree, "tree", "a hierarchy of sums"},
-      {Engine::Flann, "flann", "a plain search, slower, for comparison"}};
+  static const std::vector<Named<Engine>> names = {{Engine::Tree, "tree", "a hierarchy of sums"},
+                                                   {Engine::Flann, "flann", "a plain search, slower, for comparison"}};
   return names;
 }
 

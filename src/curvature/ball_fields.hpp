@@ -7,7 +7,8 @@
 
 namespace kappa {
 
-/// Is told of the balls of centre `q` at radius number `r`, the largest first. From any thread, once a centre and radius.
+/// Is told of the balls of centre `q` at radius number `r`, the largest first. From any thread, once a centre and
+/// radius.
 using BallObserver = std::function<void(std::size_t r, std::size_t q, const BallMeasures* const* balls)>;
 
 /// `curvatures_in_balls`, telling `observe`, if it is not empty, of all balls.

@@ -22,8 +22,7 @@ Mat3 shape_of(const Curvatures& k) {
 ShapeOperators measured_shapes(Triangles triangles, const Normals& normals, double radius, const Execution& run) {
   const MeasureTree balls(std::move(triangles), Precision::Double, stage(run, 0.0, 0.1));
   const BallPlan plan{{radius}, kShapeOrder, BallDefinition::ExactDensity};
-  const auto fields =
-      curvatures_in_balls(balls, vertices_of(balls.triangles()), normals, plan, stage(run, 0.1, 1.0));
+  const auto fields = curvatures_in_balls(balls, vertices_of(balls.triangles()), normals, plan, stage(run, 0.1, 1.0));
   ShapeOperators shapes;
   shapes.reserve(normals.size());
   for (const CurvatureSample& s : fields.front().samples) shapes.push_back(shape_of(s.k));

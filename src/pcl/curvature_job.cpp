@@ -13,32 +13,12 @@ namespace kappa::detail {
 
 namespace {
 
-MeasuredTriangles triangles_of(const CurvatureJob& job, const Execution& execution) {
+Triangles triangles_of(const CurvatureJob& job, const Execution& execution) {
   const Mesh& given = job.surface;
-  if (!given.faces.empty()) return triangles_for_tree(given, job.normals, job.quads, execution);
-  const auto umbrella = umbrella_surface(given.origin, given.vertices, job.normals, job.umbrella, execution);
-  return triangles_for_tree(umbrella.mesh, job.normals, job.quads, execution);
-}
-
-CurvatureOptions options_of(const CurvatureJob& job, double radius) {
-  CurvatureOptions options;
-  options.radii = {radius};
-  options.ball = job.ball;
-  options.order = job.order;
-  return options;
-}
-
-CurvatureSample sample_of(const BallSum& balls, const CurvatureJob& job, std::size_t i) {
-  if (job.radii[i] > 0) {
-    const auto fields = estimate_curvatures(balls, std::vector<Vec3>{job.centres[i]}, Normals{job.centre_normals[i]},
-                                            options_of(job, job.radii[i]));
-    return fields.front().samples.front();
-  }
-  CurvatureSample sample;
-  const Vec3& u = job.centre_normals[i];
-  const bool valid = is_finite(job.centres[i]) && is_finite(u) && !u.isZero(0);
-  sample.k.status = valid ? PointStatus::Empty : PointStatus::Invalid;
-  return sample;
+  if (!given.faces.empty()) return kappa::triangles_of(given, job.normals, job.quads, execution);
+  const auto umbrella =
+      umbrella_surface(given.origin, given.vertices, job.normals, job.umbrella, stage(execution, 0, 0.8));
+  return kappa::triangles_of(umbrella.mesh, job.normals, job.quads, stage(execution, 0.8, 1));
 }
 
 }  // namespace
@@ -46,15 +26,11 @@ CurvatureSample sample_of(const BallSum& balls, const CurvatureJob& job, std::si
 std::vector<CurvatureSample> run(const CurvatureJob& job, const Execution& execution) {
   const MeasureTree balls(triangles_of(job, stage(execution, 0, 0.4)), Precision::Double, stage(execution, 0.4, 0.5));
   const Execution rest = stage(execution, 0.5, 1);
-  if (job.radii.empty()) {
-    auto fields = estimate_curvatures(balls, job.centres, job.centre_normals, options_of(job, job.radius), rest);
-    return std::move(fields.front().samples);
-  }
-  std::vector<CurvatureSample> samples(job.centres.size());
-  parallel_for(samples.size(), 64, rest, [&](std::size_t begin, std::size_t end, int) {
-    for (std::size_t i = begin; i < end; ++i) samples[i] = sample_of(balls, job, i);
-  });
-  return samples;
+  if (!job.radii.empty())
+    return curvatures_in_own_balls(balls, job.centres, job.centre_normals, job.radii, job.order, job.ball, rest);
+  const BallPlan plan{{job.radius}, job.order, job.ball};
+  auto fields = curvatures_in_balls(balls, job.centres, job.centre_normals, plan, rest);
+  return std::move(fields.front().samples);
 }
 
 void check_search(double radius, int k) {

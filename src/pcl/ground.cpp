@@ -60,4 +60,14 @@ std::vector<char> find_ground_progressively(const std::vector<Vec3>& points, con
   return ground;
 }
 
+std::vector<char> progressive_ground(const std::vector<Vec3>& points, const GroundFilter& filter, double metre) {
+  ProgressiveGroundOptions options;
+  options.cell = filter.cell.value_or(options.cell * metre);
+  options.slope = filter.slope.value_or(options.slope);
+  options.window = static_cast<int>(std::lround(filter.window.value_or(options.window * metre)));
+  options.initial_distance = filter.threshold.value_or(options.initial_distance * metre);
+  options.max_distance = filter.max_rise.value_or(options.max_distance * metre);
+  return find_ground_progressively(points, options);
+}
+
 }  // namespace kappa

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "kappa/core/error.hpp"
@@ -90,10 +91,15 @@ FilteredScan filter_scan(Scan& scan, const std::string& name, const FilterOption
   return f;
 }
 
-std::optional<double> stated_z_scale(const Scan& scan, const FilterOptions& options) {
+std::string unit_warning(const Scan& scan, const std::string& name, const FilterOptions& options) {
   const double factor = scan.units.z_scale();
-  if (options.z_scale || factor == 1) return std::nullopt;
-  return factor;
+  if (options.z_scale || factor == 1) return "";
+  char number[32];
+  std::snprintf(number, sizeof number, "%.10g", factor);
+  return name +
+         ": its coordinate system states another unit for heights than for x and y, so that curvatures are wrong; "
+         "give --z-scale " +
+         number;
 }
 
 }  // namespace kappa

@@ -2,7 +2,6 @@
 #include "kappa/pipeline/measure_scan.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "kappa/balls/splitting.hpp"
@@ -33,17 +32,6 @@ void refuse_degrees(const Scan& scan, const std::string& name) {
                                           "--filters.reprojection.out_srs=EPSG:32632 (your UTM zone)");
 }
 
-void warn_of_units(const Scan& scan, const ScanOptions& options, StageWatch& watch) {
-  const std::optional<double> factor = stated_z_scale(scan, options.filter);
-  if (!factor) return;
-  char number[32];
-  std::snprintf(number, sizeof number, "%.10g", *factor);
-  watch.warn(options.name +
-             ": its coordinate system states another unit for heights than for x and y, so that curvatures are wrong; "
-             "give --z-scale " +
-             number);
-}
-
 /// The options of a surface whose smallest ball is known, where it is.
 SurfaceOptions surface_options(const ScanOptions& options, const HeightUnit& heights) {
   SurfaceOptions surface = options.surface;
@@ -59,10 +47,10 @@ SortedSurface sorted_surface(Scan scan, const ScanOptions& options, StageWatch& 
   SurfacedScan& r = s.surfaced;
   r.scan = std::move(scan);
   refuse_degrees(r.scan, options.name);
-  warn_of_units(r.scan, options, watch);
-  r.filtered = run_stage(watch, "filter", [&](const Execution& run) {
-    return filter_scan(r.scan, options.name, options.filter, run);
-  });
+  const std::string warning = unit_warning(r.scan, options.name, options.filter);
+  if (!warning.empty()) watch.warn(warning);
+  r.filtered = run_stage(watch, "filter",
+                         [&](const Execution& run) { return filter_scan(r.scan, options.name, options.filter, run); });
   const SurfaceOptions surface = surface_options(options, r.filtered.heights);
   r.surface = run_stage(watch, "surface", [&](const Execution& run) {
     if (!triangle_scheme(surface.surface)) s.order = PointOrder(r.scan, stage(run, 0.0, 0.0));
@@ -112,12 +100,8 @@ void turn_directions(const HeightUnit& heights, std::vector<CurvatureField>& fie
 /// Curvatures of each point's own triangles, for a surface without faces.
 std::vector<CurvatureField> measure_points(const SurfacedScan& surfaced, TriangleScheme scheme,
                                            const SurfaceOptions& options, const Execution& run) {
-  RandomTriangleOptions triangles;
-  triangles.scheme = scheme;
-  triangles.neighbours = options.neighbours.value_or(triangles.neighbours);
-  triangles.triangles = options.triangles;
-  std::vector<CurvatureField> fields = {
-      random_triangle_curvatures(surfaced.surface.mesh.vertices, surfaced.surface.u, triangles, run)};
+  std::vector<CurvatureField> fields = {random_triangle_curvatures(surfaced.surface.mesh.vertices, surfaced.surface.u,
+                                                                   random_triangle_options(scheme, options), run)};
   turn_directions(surfaced.filtered.heights, fields);
   return fields;
 }
@@ -161,8 +145,8 @@ void check_member(const std::string& owner, const Check& check) {
 void measure_surface(ScanResult& result, const ScanOptions& options, StageWatch& watch) {
   const CurvatureOptions curvature = with_radii(options.curvature, result.prepared.surfaced.surface, options.name);
   result.automatic_radius = options.curvature.scale == ScaleChoice::Automatic;
-  result.fields = run_stage(watch, "curvatures",
-                            [&](const Execution& run) { return measure(result.prepared, curvature, run); });
+  result.fields =
+      run_stage(watch, "curvatures", [&](const Execution& run) { return measure(result.prepared, curvature, run); });
 }
 
 void restore_order(const PointOrder& order, ScanResult& result) {
@@ -213,8 +197,9 @@ ScanResult measure_alone(Scan scan, const ScanOptions& options, TriangleScheme s
 
 void need_faces(const ScanOptions& options) {
   if (!triangle_scheme(options.surface.surface)) return;
-  throw OptionError("surface.surface", std::string(name(options.surface.surface)) +
-                                           " measures each point alone, without faces; take one with faces, as umbrella");
+  throw OptionError("surface.surface",
+                    std::string(name(options.surface.surface)) +
+                        " measures each point alone, without faces; take one with faces, as umbrella");
 }
 
 void validate(const ScanOptions& options) {
@@ -242,6 +227,11 @@ PreparedScan prepare_scan(Scan scan, const ScanOptions& options, StageWatch& wat
   ScanOptions everything = options;
   everything.keep = Keep::Everything;
   return with_balls(surface_scan(std::move(scan), everything, watch), everything, watch);
+}
+
+PreparedScan prepare_scan(Scan scan, const ScanOptions& options, const Execution& run) {
+  EvenStages stages(run, 3);
+  return prepare_scan(std::move(scan), options, stages);
 }
 
 CurvatureOptions with_radii(const CurvatureOptions& options, const Surface& surface, const std::string& name) {
@@ -278,9 +268,9 @@ LabelledScan label(const PreparedScan& prepared, const CurvatureField& field, co
   s.estimated = !how.flatness && !how.kappa_max;
   s.threshold = threshold_of(prepared, field, options.curvature.ball, how, run);
   if (!(s.threshold >= 0))
-    throw Error(ErrorCode::InvalidData,
-                options.name +
-                    ": too few points have a curvature to tell flat from curved; give --kappa-max and --flatness");
+    throw Error(
+        ErrorCode::InvalidData,
+        options.name + ": too few points have a curvature to tell flat from curved; give --kappa-max and --flatness");
   const RegionOptions regions{how.min_region.value_or(least_region(field))};
   s.segmentation = find_regions(surface.mesh, field, classify(field, s.threshold), regions, surface.twins);
   for (Region& region : s.segmentation.table)

@@ -159,6 +159,13 @@ class Selection {
 
 }  // namespace
 
+const std::vector<Named<Returns>>& names_of(Returns) {
+  static const std::vector<Named<Returns>> names = {{Returns::All, "all", "all returns"},
+                                                    {Returns::First, "first", "the first return of each pulse"},
+                                                    {Returns::Last, "last", "the last return of each pulse"}};
+  return names;
+}
+
 std::vector<Index> find_no_returns(const Scan& scan) {
   constexpr std::size_t kFewest = 10, kShare = 1000;
   std::vector<Index> found;

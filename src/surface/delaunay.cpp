@@ -148,6 +148,13 @@ bool has_edge_above(const Triangle& t, const std::vector<Vec3>& x, double limit)
 
 }  // namespace
 
+const std::vector<Named<PlanDuplicates>>& names_of(PlanDuplicates) {
+  static const std::vector<Named<PlanDuplicates>> names = {
+      {PlanDuplicates::Highest, "highest", "the surface seen from above"},
+      {PlanDuplicates::Lowest, "lowest", "nearer to the ground"}};
+  return names;
+}
+
 PlanSurface delaunay_surface(const Vec3& origin, const std::vector<Vec3>& points, const DelaunayOptions& options,
                              const Execution& run) {
   if (!(options.max_edge > 0))

@@ -226,7 +226,7 @@ CurvatureField random_triangle_curvatures(const std::vector<Vec3>& points, const
     Gatherer gatherer(cloud, search, options.neighbours);
     for (std::size_t n = begin; n < end; ++n) {
       const Index i = order[n], original = cloud.original[i];
-      const BallMeasures m = measure(gatherer.around(i), options, HashRandom(run.seed, original));
+      const BallMeasures m = measure(gatherer.around(i), options, HashRandom(options.seed, original));
       field.samples[original] = make_sample(m, cloud.u[i]);
     }
   });

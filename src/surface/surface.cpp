@@ -331,6 +331,15 @@ std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind) {
   }
 }
 
+RandomTriangleOptions random_triangle_options(TriangleScheme scheme, const SurfaceOptions& options) {
+  RandomTriangleOptions triangles;
+  triangles.scheme = scheme;
+  triangles.neighbours = options.neighbours.value_or(triangles.neighbours);
+  triangles.triangles = options.triangles;
+  triangles.seed = options.seed;
+  return triangles;
+}
+
 const char* name(SurfaceKind kind) {
   if (const auto scheme = triangle_scheme(kind)) return name(*scheme);
   switch (kind) {

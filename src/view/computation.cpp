@@ -10,7 +10,6 @@ namespace kappa::view_detail {
 
 Computation::Computation(Recompute recompute, const Execution& run) : recompute_(std::move(recompute)) {
   run_.threads = run.threads;
-  run_.seed = run.seed;
   run_.cancel = &cancel_;
   run_.progress = [this](double done) { progress_ = done; };
   thread_ = std::thread([this] { work(); });

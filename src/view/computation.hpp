@@ -22,7 +22,7 @@ class Computation {
     std::string error;
   };
 
-  /// Each computation gets the threads and the seed of `run`.
+  /// Each computation gets the threads of `run`.
   Computation(Recompute recompute, const Execution& run);
   ~Computation();
   Computation(const Computation&) = delete;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "computation.hpp"
-#include "viewer_window.hpp"
 #include "kappa/scan/scan.hpp"
+#include "viewer_window.hpp"
 
 namespace kappa::view_detail {
 

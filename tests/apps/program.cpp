@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <thread>
@@ -32,18 +33,33 @@ namespace {
   _exit(127);
 }
 
-}  // namespace
+/// What /proc tells about a process under a name such as "Threads:".
+std::string process_status(pid_t process, const std::string& name) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind(name, 0) == 0) return line.substr(line.find_first_not_of(" \t", name.size()));
+  }
+  return "";
+}
 
-Outcome run(const Arguments& arguments, int interrupt_after) {
+/// Until a window is open, the program has one thread or catches interrupts.
+bool waits_for_its_user(pid_t program) {
+  const unsigned long long caught = std::stoull("0" + process_status(program, "SigCgt:"), nullptr, 16);
+  return (caught >> (SIGINT - 1) & 1) == 0 && std::stoi("0" + process_status(program, "Threads:")) > 1;
+}
+
+bool has_ended(pid_t program) {
+  return process_status(program, "State:").rfind('Z', 0) == 0;
+}
+
+/// Runs the program; `meet` gets its process meanwhile.
+Outcome run_and_meet(const Arguments& arguments, const std::function<void(pid_t)>& meet) {
   const Folder folder;
   const std::string out = folder.file("out"), err = folder.file("err");
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) execute(arguments, out, err);
-  if (interrupt_after >= 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after));
-    kill(child, SIGINT);
-  }
+  meet(child);
   int status = 0;
   waitpid(child, &status, 0);
   Outcome outcome;
@@ -51,6 +67,24 @@ Outcome run(const Arguments& arguments, int interrupt_after) {
   outcome.out = contents(out);
   outcome.err = contents(err);
   return outcome;
+}
+
+}  // namespace
+
+Outcome run_and_interrupt_window(const Arguments& arguments) {
+  return run_and_meet(arguments, [](pid_t program) {
+    while (!waits_for_its_user(program) && !has_ended(program))
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(program, SIGINT);
+  });
+}
+
+Outcome run(const Arguments& arguments, int interrupt_after) {
+  return run_and_meet(arguments, [interrupt_after](pid_t program) {
+    if (interrupt_after < 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after));
+    kill(program, SIGINT);
+  });
 }
 
 Folder::Folder() {

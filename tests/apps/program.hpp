@@ -15,6 +15,10 @@ struct Outcome {
 
 using Arguments = std::vector<std::string>;
 
+/// Runs the program and sends it SIGINT as soon as it waits for its user in a window: it has threads of its own and no
+/// longer catches interrupts. A program that ends before is not interrupted.
+Outcome run_and_interrupt_window(const Arguments& arguments);
+
 /// Runs the program to its end. With `interrupt_after` >= 0, sends it SIGINT that many milliseconds after its start.
 Outcome run(const Arguments& arguments, int interrupt_after = -1);
 

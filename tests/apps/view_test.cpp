@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "kappa/view/display.hpp"
+#include "kappa/view/viewer.hpp"
 #include "program.hpp"
 
 namespace kappa::apps {
@@ -14,9 +15,25 @@ TEST(View, OpensAWindowAndStaysUntilItIsInterrupted) {
   const Folder f;
   ASSERT_EQ(run({"generate", "torus", f.file("t.ply"), "--slices", "40", "--sides", "24"}).exit_code, 0);
   const VirtualDisplay display;
-  const Outcome closed = run({"view", f.file("t.ply"), "--radius", "0.4"}, 3000);
+  const Outcome closed = run_and_interrupt_window({"view", f.file("t.ply"), "--radius", "0.4"});
   EXPECT_EQ(closed.exit_code, 128 + SIGINT) << closed.err;
   EXPECT_EQ(closed.err, "");
+}
+
+TEST(View, OpensAResult) {
+  const Folder f;
+  ASSERT_EQ(run({"generate", "torus", f.file("t.ply"), "--slices", "40", "--sides", "24"}).exit_code, 0);
+  ASSERT_EQ(run({"segment", f.file("t.ply"), f.file("r.ply"), "--radius", "0.4"}).exit_code, 0);
+  const VirtualDisplay display;
+  const Outcome closed = run_and_interrupt_window({"view", f.file("r.ply")});
+  EXPECT_EQ(closed.exit_code, 128 + SIGINT) << closed.err;
+  EXPECT_EQ(closed.err, "");
+}
+
+TEST(View, HelpListsTheKeys) {
+  const Outcome help = run({"view", "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.out.find(viewer_keys()), std::string::npos) << help.out;
 }
 
 TEST(View, SaysSoWithoutADisplay) {

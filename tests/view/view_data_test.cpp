@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kappa/scan/scan.hpp"
 #include "kappa/view/view_data.hpp"
+#include "kappa/scan/scan.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "viewer_fixture.hpp"
 #include "kappa/scan/scan.hpp"
+#include "viewer_fixture.hpp"
 
 namespace kappa {
 namespace {

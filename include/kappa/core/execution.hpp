@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 
 namespace kappa {
@@ -13,8 +12,6 @@ struct Execution {
   /// Number of threads, 0 = all the machine has. Any number gives the same bits, also where the system lets fewer
   /// start.
   int threads = 1;
-  /// Seed of whatever draws random numbers.
-  std::uint64_t seed = 0;
   /// Called with a fraction in [0, 1], on the calling thread, a few times a second at most.
   std::function<void(double)> progress;
   /// Raise it from anywhere to stop: the call then throws `Cancelled`.

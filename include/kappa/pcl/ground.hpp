@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kappa/core/types.hpp"
+#include "kappa/pipeline/filter_scan.hpp"
 
 namespace kappa {
 
@@ -22,5 +23,9 @@ struct ProgressiveGroundOptions {
 /// (surface/ground.hpp) makes fewer errors in less time.
 /// @throws Error InvalidArgument if an option is not positive (slope, initial_distance: not negative).
 std::vector<char> find_ground_progressively(const std::vector<Vec3>& points, const ProgressiveGroundOptions& options);
+
+/// The same as the pipeline asks for it: what GroundFilter::progressive takes. `metre` is the length of a metre in the
+/// unit of the points, which the defaults are multiplied by.
+std::vector<char> progressive_ground(const std::vector<Vec3>& points, const GroundFilter& filter, double metre);
 
 }  // namespace kappa

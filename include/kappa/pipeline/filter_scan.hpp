@@ -18,9 +18,9 @@ namespace kappa {
 /// the file states its unit, else in units of the points.
 struct GroundFilter {
   GroundMethod method = GroundMethod::Morphological;
-  std::optional<double> cell;       ///< of the grid; length
-  std::optional<double> slope;      ///< rise over run above which it is an object
-  std::optional<double> window;     ///< half the width of the largest object, for Progressive the largest window; length
+  std::optional<double> cell;    ///< of the grid; length
+  std::optional<double> slope;   ///< rise over run above which it is an object
+  std::optional<double> window;  ///< half the width of the largest object, for Progressive the largest window; length
   std::optional<double> threshold;  ///< distance of ground from its surface; length
   std::optional<double> scaling;    ///< growth of that with the slope; Morphological only
   std::optional<double> max_rise;   ///< greatest rise in a window; length, Progressive only
@@ -66,7 +66,8 @@ struct FilteredScan {
 /// @throws Error as the filters do; Cancelled, which leaves the scan as far as the filters came.
 FilteredScan filter_scan(Scan& scan, const std::string& name, const FilterOptions& options, const Execution& run = {});
 
-/// Units of x and y in a unit of height by what the file states, where that is not 1 and no `z_scale` is given.
-std::optional<double> stated_z_scale(const Scan& scan, const FilterOptions& options);
+/// One sentence for a scan whose file states another unit for heights than for x and y where no `z_scale` is given,
+/// with the factor to give; empty if there is nothing to say.
+std::string unit_warning(const Scan& scan, const std::string& name, const FilterOptions& options);
 
 }  // namespace kappa

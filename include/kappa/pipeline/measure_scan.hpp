@@ -81,6 +81,7 @@ struct PreparedScan {
 /// The same, with the sums of balls built: all that is needed to measure at any radius.
 /// @throws the same, and OptionError for a surface without faces, which has no balls.
 PreparedScan prepare_scan(Scan scan, const ScanOptions& options, StageWatch& watch);
+PreparedScan prepare_scan(Scan scan, const ScanOptions& options, const Execution& run = {});
 
 /// The curvature options with the radii to be measured: the automatic one in place of ScaleChoice::Automatic.
 /// @throws Error InvalidData if no radius can be chosen, OptionError for radius 0 on a cloud.
@@ -98,7 +99,8 @@ struct LabelledScan {
   Segmentation segmentation;
 };
 
-/// Labels and regions of a field of a prepared scan; centroids are in the coordinates of the file relative to its origin.
+/// Labels and regions of a field of a prepared scan; centroids are in the coordinates of the file relative to its
+/// origin.
 /// @throws Error InvalidData if too few points have a curvature to tell flat from curved; Cancelled.
 LabelledScan label(const PreparedScan& prepared, const CurvatureField& field, const ScanOptions& options,
                    const Execution& run = {});

@@ -11,8 +11,8 @@ namespace kappa {
 /// @throws Cancelled
 Scan output_scan(const SurfacedScan& surfaced, const Execution& run = {});
 
-/// The same with the fields of every radius, each name followed by `field_suffix`, and where there are labels `label` and
-/// `region`: what `kappa curvature` and `kappa segment` write.
+/// The same with the fields of every radius, each name followed by `field_suffix`, and where there are labels `label`
+/// and `region`: what `kappa curvature` and `kappa segment` write.
 /// @throws Cancelled
 Scan output_scan(const ScanResult& result, const Execution& run = {});
 

@@ -12,8 +12,8 @@ class StageWatch {
  public:
   virtual ~StageWatch() = default;
 
-  /// Called before the stage `name` ("filter", "surface", "measures", "curvatures", "regions"). The stage runs with what
-  /// is returned.
+  /// Called before the stage `name` ("filter", "surface", "measures", "curvatures", "regions"). The stage runs with
+  /// what is returned.
   virtual Execution begin(const std::string& name) = 0;
   /// Called when the stage has ended, also by an exception.
   virtual void end() {}

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kappa/core/bounds.hpp"
+#include "kappa/core/names.hpp"
 #include "kappa/scan/scan.hpp"
 
 /// Which points of a scan are measured, and in what unit.
@@ -21,6 +22,8 @@ enum class Returns {
   First,  ///< return number 1
   Last    ///< return number = number of returns
 };
+
+const std::vector<Named<Returns>>& names_of(Returns);
 
 /// A selection by attributes and place.
 struct PointFilter {

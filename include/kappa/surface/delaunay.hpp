@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kappa/core/names.hpp"
 #include "kappa/surface/umbrella.hpp"
 
 namespace kappa {
@@ -10,6 +11,8 @@ enum class PlanDuplicates {
   Highest,  ///< the surface seen from above
   Lowest    ///< nearer to the ground
 };
+
+const std::vector<Named<PlanDuplicates>>& names_of(PlanDuplicates);
 
 struct DelaunayOptions {
   /// Greatest length in plan of the edges of a face, in units of the spacing; positive, infinity to fill the convex

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "kappa/core/execution.hpp"
 #include "kappa/curvature/estimate.hpp"
 
@@ -20,6 +22,7 @@ struct RandomTriangleOptions {
   int neighbours = 20;  ///< nearest points of different position, the point included; 3 to 255
   /// Triangles drawn for each point by Uniform, at most so many by Independent; 1 to 1000000.
   int triangles = 100;
+  std::uint64_t seed = 0;  ///< of the numbers that Uniform and Independent draw
 };
 
 /// Curvatures of a cloud, each point's from the sum of the measures of its own triangles: no ball and no surface.
@@ -29,7 +32,7 @@ struct RandomTriangleOptions {
 /// something, `area` is their sum. A point that is not finite or has no normal is Invalid, one without a triangle
 /// Empty. A duplicate has the sample of the first point at its position.
 ///
-/// Uniform and Independent draw from `run.seed` and the index of the point alone: equal input gives equal bits, for
+/// Uniform and Independent draw from `options.seed` and the index of the point alone: equal input gives equal bits, for
 /// any number of threads. The hexagrams draw nothing.
 /// Cost per point: the search for its neighbours, and the triangles.
 /// @throws Error InvalidArgument if sizes differ or an option is out of range; InvalidData if no point is valid.

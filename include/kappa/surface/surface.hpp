@@ -79,6 +79,7 @@ struct SurfaceOptions {
   std::optional<Vec3> viewpoint;  ///< in the coordinates of the data; else that of the scan
   std::optional<int> neighbours;  ///< of the stars of an umbrella surface (16), or of random triangles (20)
   int triangles = 100;            ///< of each point for Uniform and Independent
+  std::uint64_t seed = 0;         ///< of the numbers that these two draw
   GridOptions grid;               ///< cuts of Grid
   GridOptions spinning = kSpinningCuts;
   DelaunayOptions delaunay;
@@ -120,6 +121,9 @@ struct Surface {
 /// @throws Error InvalidArgument if the options contradict each other or the scan lacks what they ask for
 /// (faces, normals, a viewpoint); InvalidData if no point or no face is left.
 Surface make_surface(const Scan& scan, const SurfaceOptions& options, const Execution& run = {});
+
+/// What `random_triangle_curvatures` is to do for a surface of a kind that has no faces, see `triangle_scheme`.
+RandomTriangleOptions random_triangle_options(TriangleScheme scheme, const SurfaceOptions& options);
 
 /// Radius of the measuring ball where the user gives none, rounded to two digits: kAutomaticRadius times the spacing;
 /// where normals were fitted to noisy points, the radius at which the noise of the mean curvature equals its bias if

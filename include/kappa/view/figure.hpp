@@ -7,7 +7,6 @@
 
 #include "kappa/core/execution.hpp"
 #include "kappa/scan/scan.hpp"
-#include "kappa/scan/scan.hpp"
 #include "kappa/view/colour_map.hpp"
 
 namespace kappa {

@@ -18,7 +18,7 @@ struct Session;
 }
 
 /// Computes what the viewer shows at a radius. The viewer calls it on a thread of its own, one call at a time. In
-/// `run`, threads and seed are those the viewer was made with, progress moves the percentage in the status line, and
+/// `run`, threads are those the viewer was made with, progress moves the percentage in the status line, and
 /// cancel is raised when another radius is asked for or the viewer ends. The window shows the message of what it
 /// throws.
 using Recompute = std::function<ViewData(double radius, const Execution& run)>;
@@ -67,7 +67,7 @@ class Viewer {
   /// Opens the window. If the scan holds curvatures (see `stored_sets`), the window shows its first set and computes
   /// nothing until the slider is moved; otherwise it starts computing for `options.radius`.
   ///
-  /// `run.threads` and `run.seed` also hold for all calls of `recompute`; `run.cancel` and `run.progress` hold until
+  /// `run.threads` also holds for all calls of `recompute`; `run.cancel` and `run.progress` hold until
   /// the constructor returns.
   /// @throws Error InvalidArgument (an option, or no `recompute`), InvalidData (no point with finite coordinates, or
   /// all at one place and no ends of the slider given), Unavailable (no usable display); Cancelled.
