@@ -127,6 +127,15 @@ void check(const NormalFitOptions& options) {
 
 }  // namespace
 
+const std::vector<Named<NormalFit>>& names_of(NormalFit) {
+  static const std::vector<Named<NormalFit>> names = {
+      {NormalFit::Plane, "plane", "the plane of least squares"},
+      {NormalFit::Quadric, "quadric", "the quadric of least squares"},
+      {NormalFit::Robust, "robust", "planes and quadrics that resist edges and outliers"},
+  };
+  return names;
+}
+
 std::vector<Index> find_duplicates(const std::vector<Vec3>& points) {
   std::size_t places = 1;
   while (places < 2 * points.size()) places *= 2;

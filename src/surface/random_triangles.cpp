@@ -236,18 +236,15 @@ CurvatureField random_triangle_curvatures(const std::vector<Vec3>& points, const
   return field;
 }
 
-const char* name(TriangleScheme scheme) {
-  switch (scheme) {
-    case TriangleScheme::Uniform:
-      return "uniform";
-    case TriangleScheme::Independent:
-      return "independent";
-    case TriangleScheme::Hexagram:
-      return "hexagram";
-    case TriangleScheme::AveragedHexagram:
-      return "avg-hexagram";
-  }
-  return "";
+const std::vector<Named<TriangleScheme>>& names_of(TriangleScheme) {
+  static const std::vector<Named<TriangleScheme>> names = {
+      {TriangleScheme::Uniform, "uniform", "three different neighbours, drawn anew for each triangle"},
+      {TriangleScheme::Independent, "independent", "neighbours in random order, three by three"},
+      {TriangleScheme::Hexagram, "hexagram", "two triangles of the neighbours nearest to a hexagram"},
+      {TriangleScheme::AveragedHexagram, "avg-hexagram",
+       "two triangles of the averages of the neighbours in six sectors"},
+  };
+  return names;
 }
 
 }  // namespace kappa

@@ -316,21 +316,6 @@ double automatic_radius(const Surface& surface) {
   return unit < 1 ? std::round(radius / unit) / std::round(1 / unit) : std::round(radius / unit) * unit;
 }
 
-std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Uniform:
-      return TriangleScheme::Uniform;
-    case SurfaceKind::Independent:
-      return TriangleScheme::Independent;
-    case SurfaceKind::Hexagram:
-      return TriangleScheme::Hexagram;
-    case SurfaceKind::AveragedHexagram:
-      return TriangleScheme::AveragedHexagram;
-    default:
-      return std::nullopt;
-  }
-}
-
 RandomTriangleOptions random_triangle_options(TriangleScheme scheme, const SurfaceOptions& options) {
   RandomTriangleOptions triangles;
   triangles.scheme = scheme;
@@ -338,70 +323,6 @@ RandomTriangleOptions random_triangle_options(TriangleScheme scheme, const Surfa
   triangles.triangles = options.triangles;
   triangles.seed = options.seed;
   return triangles;
-}
-
-const char* name(SurfaceKind kind) {
-  if (const auto scheme = triangle_scheme(kind)) return name(*scheme);
-  switch (kind) {
-    case SurfaceKind::Auto:
-      return "auto";
-    case SurfaceKind::Faces:
-      return "faces";
-    case SurfaceKind::Umbrella:
-      return "umbrella";
-    case SurfaceKind::Grid:
-      return "grid";
-    case SurfaceKind::Delaunay:
-      return "delaunay";
-    case SurfaceKind::Spinning:
-      return "spinning";
-    case SurfaceKind::Greedy:
-      return "greedy";
-    default:
-      return "";
-  }
-}
-
-const char* name(NormalsKind kind) {
-  switch (kind) {
-    case NormalsKind::Auto:
-      return "auto";
-    case NormalsKind::Input:
-      return "input";
-    case NormalsKind::Geometric:
-      return "geometric";
-    case NormalsKind::Area:
-      return "area";
-    case NormalsKind::Angle:
-      return "angle";
-    case NormalsKind::Max:
-      return "max";
-    case NormalsKind::Pca:
-      return "pca";
-    case NormalsKind::Quadric:
-      return "quadric";
-    case NormalsKind::Robust:
-      return "robust";
-  }
-  return "";
-}
-
-const char* name(Orientation orientation) {
-  switch (orientation) {
-    case Orientation::Auto:
-      return "auto";
-    case Orientation::Input:
-      return "input";
-    case Orientation::AsFaces:
-      return "faces";
-    case Orientation::Up:
-      return "up";
-    case Orientation::Viewpoint:
-      return "viewpoint";
-    case Orientation::Consistent:
-      return "mst";
-  }
-  return "";
 }
 
 }  // namespace kappa

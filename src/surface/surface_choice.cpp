@@ -188,14 +188,4 @@ SurfaceChoice choose_surface(const Scan& scan, const SurfaceOptions& options) {
   return c;
 }
 
-bool from_faces(NormalsKind kind) {
-  return kind == NormalsKind::Geometric || kind == NormalsKind::Area || kind == NormalsKind::Angle ||
-         kind == NormalsKind::Max;
-}
-
-bool has_turned_faces(SurfaceKind kind) {
-  return kind == SurfaceKind::Faces || kind == SurfaceKind::Grid || kind == SurfaceKind::Delaunay ||
-         kind == SurfaceKind::Spinning;
-}
-
 }  // namespace kappa

@@ -18,7 +18,4 @@ struct SurfaceChoice {
 /// @throws Error InvalidArgument if the options contradict each other or the scan lacks what they ask for.
 SurfaceChoice choose_surface(const Scan& scan, const SurfaceOptions& options);
 
-/// Whether faces of this kind have a side of their own, not that of given normals.
-bool has_turned_faces(SurfaceKind kind);
-
 }  // namespace kappa

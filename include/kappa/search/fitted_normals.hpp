@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kappa/core/execution.hpp"
+#include "kappa/core/names.hpp"
 #include "kappa/mesh/mesh.hpp"
 #include "kappa/search/neighbours.hpp"
 
@@ -32,6 +33,7 @@ enum class NormalFit {
   /// long.
   Robust
 };
+const std::vector<Named<NormalFit>>& names_of(NormalFit);
 
 struct NormalFitOptions {
   int neighbours = 24;  ///< points of different position, the point included; at least 3

@@ -11,6 +11,7 @@ enum class PlanDuplicates {
   Highest,  ///< the surface seen from above
   Lowest    ///< nearer to the ground
 };
+const std::vector<Named<PlanDuplicates>>& names_of(PlanDuplicates);
 
 const std::vector<Named<PlanDuplicates>>& names_of(PlanDuplicates);
 

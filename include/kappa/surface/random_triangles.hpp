@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "kappa/core/execution.hpp"
+#include "kappa/core/names.hpp"
 #include "kappa/curvature/estimate.hpp"
 
 namespace kappa {
@@ -16,6 +17,7 @@ enum class TriangleScheme {
   Hexagram,         ///< two: the neighbours nearest to the corners of two interleaved equilateral triangles
   AveragedHexagram  ///< two: the mean positions and mean normals of the neighbours in six sectors
 };
+const std::vector<Named<TriangleScheme>>& names_of(TriangleScheme);
 
 struct RandomTriangleOptions {
   TriangleScheme scheme = TriangleScheme::AveragedHexagram;
@@ -38,8 +40,5 @@ struct RandomTriangleOptions {
 /// @throws Error InvalidArgument if sizes differ or an option is out of range; InvalidData if no point is valid.
 CurvatureField random_triangle_curvatures(const std::vector<Vec3>& points, const Normals& normals,
                                           const RandomTriangleOptions& options, const Execution& run = {});
-
-/// Names as on the command line: "uniform", "independent", "hexagram", "avg-hexagram".
-const char* name(TriangleScheme scheme);
 
 }  // namespace kappa

@@ -11,66 +11,13 @@
 #include "kappa/search/noise.hpp"
 #include "kappa/surface/delaunay.hpp"
 #include "kappa/surface/grid.hpp"
+#include "kappa/surface/kinds.hpp"
 #include "kappa/surface/orientation.hpp"
 #include "kappa/surface/random_triangles.hpp"
 #include "kappa/surface/spinning.hpp"
 #include "kappa/surface/umbrella.hpp"
 
 namespace kappa {
-
-/// Where the faces of a surface come from.
-enum class SurfaceKind {
-  Auto,   ///< Faces if the scan has any; Grid if it is organised and has a credible viewpoint; Spinning if it has one,
-          ///< and a field "ring", or rings about it and points at it or without a position; else Umbrella
-  Faces,  ///< those of the scan
-  Umbrella,  ///< umbrella_surface of the points
-  Grid,      ///< grid_surface of an organised cloud
-  Delaunay,  ///< delaunay_surface of the points
-  Spinning,  ///< spinning_surface of a sweep, by its field "ring" if it has one
-  Greedy,    ///< SurfaceOptions::greedy of the points
-  Uniform,   ///< these four: no faces, the curvatures are those of random_triangle_curvatures
-  Independent,
-  Hexagram,
-  AveragedHexagram
-};
-
-/// The scheme of a kind that has no faces: its curvatures are those of `random_triangle_curvatures`.
-std::optional<TriangleScheme> triangle_scheme(SurfaceKind kind);
-
-/// Where the corrected normals come from.
-enum class NormalsKind {
-  Auto,   ///< Input if the scan has normals; else Max on a mesh, Area on a sweep, Quadric on other clouds. Quadric, of
-          ///< the vertices within 3.5 spacings or more, on a mesh too if these are so noisy that in a ball of five
-          ///< spacings the mean curvature is better with fits to 24 of them (curvature_noise, _bias)
-  Input,  ///< those of the scan
-  Geometric,
-  Area,
-  Angle,
-  Max,      ///< these four from the faces, see NormalWeights
-  Pca,      ///< of planes fitted to the neighbours
-  Quadric,  ///< of quadrics fitted to the neighbours, see NormalFit
-  Robust    ///< likewise, but of those on the same side of an edge, without outliers
-};
-
-/// Whether normals of that kind come from the faces of the surface: Geometric, Area, Angle, Max.
-bool from_faces(NormalsKind kind);
-
-/// How the sign of normals is chosen.
-///
-/// The viewpoint of a scan is credible if it lies within ten diagonals of the points; one of (0, 0, 0), which files
-/// hold that know none, only if the cloud is organised or lies within 45 degrees of the z axis, as that of a depth
-/// camera, or else within one diagonal and not below the middle of terrain; points steeply above and below it are a
-/// room and no terrain.
-enum class Orientation {
-  Auto,     ///< Input for the scan's normals, AsFaces on a mesh and for normals from faces; for those fitted to a
-            ///< cloud Viewpoint if one is given or that of the scan is credible, else Up where most planes are flatter
-            ///< than 45 degrees, else Consistent
-  Input,    ///< as the scan's normals are
-  AsFaces,  ///< the side from which the faces turn counter-clockwise
-  Up,       ///< z not negative
-  Viewpoint,  ///< towards the scanner
-  Consistent  ///< orient_consistently
-};
 
 struct SurfaceOptions {
   SurfaceKind surface = SurfaceKind::Auto;
@@ -134,10 +81,5 @@ double automatic_radius(const Surface& surface);
 
 /// Why that radius, in a few words: "5 median edges of 0.2, noise 1e-05 asks for no more".
 std::string automatic_radius_reason(const Surface& surface);
-
-/// Names as on the command line: "faces", "umbrella"; "input", "geometric" ...; "up", "viewpoint" ...
-const char* name(SurfaceKind kind);
-const char* name(NormalsKind kind);
-const char* name(Orientation orientation);
 
 }  // namespace kappa
