@@ -22,7 +22,7 @@ class Loop {
  public:
   Loop(std::size_t count, std::size_t block, const Execution& run,
        const std::function<void(std::size_t, std::size_t, int)>& body)
-      : count_(count), block_(block), run_(run), body_(body) {}
+      : count_(count), block_(block), run_(run), body_(body), report_(run) {}
 
   /// Takes blocks until none is left; the calling thread (worker 0) also reports progress.
   void work(int worker) noexcept {
@@ -34,7 +34,8 @@ class Loop {
         const std::size_t end = std::min(count_, begin + block_);
         body_(begin, end, worker);
         done_.fetch_add(end - begin, std::memory_order_relaxed);
-        if (worker == 0) report();
+        if (worker == 0)
+          report_(static_cast<double>(done_.load(std::memory_order_relaxed)) / static_cast<double>(count_));
       }
     } catch (...) {
       fail(std::current_exception());
@@ -43,18 +44,10 @@ class Loop {
 
   void finish() const {
     if (error_) std::rethrow_exception(error_);
-    if (run_.progress) run_.progress(1.0);
+    report_progress(run_, 1.0);
   }
 
  private:
-  void report() {
-    if (!run_.progress) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_report_ < std::chrono::milliseconds(100)) return;
-    last_report_ = now;
-    run_.progress(static_cast<double>(done_.load(std::memory_order_relaxed)) / static_cast<double>(count_));
-  }
-
   void fail(std::exception_ptr error) noexcept {
     const std::lock_guard<std::mutex> lock(error_mutex_);
     if (!error_) error_ = std::move(error);
@@ -68,7 +61,7 @@ class Loop {
   std::atomic<bool> stop_{false};
   std::mutex error_mutex_;
   std::exception_ptr error_;
-  std::chrono::steady_clock::time_point last_report_ = std::chrono::steady_clock::now();
+  Reporter report_;
 };
 
 /// Joins the helper threads however the scope is left.
@@ -106,6 +99,20 @@ void check_cancelled(const Execution& run) {
   if (run.cancel && run.cancel->load(std::memory_order_relaxed)) throw Cancelled();
 }
 
+void report_progress(const Execution& run, double done) {
+  if (run.progress) run.progress(done);
+  check_cancelled(run);
+}
+
+void Reporter::operator()(double done) {
+  check_cancelled(run_);
+  if (!run_.progress) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_report_ < std::chrono::milliseconds(100)) return;
+  last_report_ = now;
+  report_progress(run_, done);
+}
+
 Execution stage(const Execution& run, double from, double to) {
   Execution part = run;
   if (run.progress) {
@@ -128,6 +135,14 @@ void parallel_for(std::size_t count, std::size_t block, const Execution& run,
     loop.work(0);
   }
   loop.finish();
+}
+
+void serial_for(std::size_t count, std::size_t block, const Execution& run,
+                const std::function<void(std::size_t, std::size_t)>& body) {
+  thread_count(run);  // refuses what parallel_for refuses
+  Execution on_this_thread = run;
+  on_this_thread.threads = 1;
+  parallel_for(count, block, on_this_thread, [&](std::size_t begin, std::size_t end, int) { body(begin, end); });
 }
 
 }  // namespace kappa

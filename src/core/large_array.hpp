@@ -15,9 +15,10 @@
 
 namespace kappa {
 
-/// Asks the system for large pages for memory that is not in use yet. A hint: first touches and reads at random cost a
-/// fraction of what they do with small pages, and where it is not followed nothing changes. The ends, which do not fill
-/// a large page, are fetched in one go: faults one by one cost more than the clearing.
+/// Asks the system to use large pages for memory that is not in use yet. With large pages, first touches and reads at
+/// random cost a fraction of the time. This is a hint: a system that does not follow it changes nothing. The ends of
+/// the memory, which do not fill a large page, are fetched in one go, because faults one by one cost more than the
+/// clearing.
 inline void advise_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::uintptr_t kLarge = std::uintptr_t{1} << 21;
@@ -35,8 +36,9 @@ inline void advise_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
 #endif
 }
 
-/// Fetches memory that is not in use yet on all threads: the system clears it, which for one takes longer than to fill
-/// it, and page by page longer still. A hint as well.
+/// Fetches memory that is not in use yet, on all threads. The system clears the pages, which takes one thread longer
+/// than to fill them, and even longer page by page. This is a hint as well.
+/// @throws Cancelled as `parallel_for` does.
 inline void fetch_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes,
                         [[maybe_unused]] const Execution& run) {
 #if defined(__linux__) && defined(MADV_POPULATE_WRITE)
@@ -53,15 +55,15 @@ inline void fetch_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::siz
 #endif
 }
 
-/// Room for `count` elements in an empty vector that will be large.
+/// Makes room for `count` elements in an empty vector that will be large.
 template <class T>
 void reserve_large(std::vector<T>& values, std::size_t count) {
   values.reserve(count);
   advise_large_pages(values.data(), values.capacity() * sizeof(T));
 }
 
-/// A vector of `count` elements in small pages, for results that are filled once and read once in order: large ones are
-/// no faster there, and where the system has none at hand it takes longer to make them.
+/// A vector of `count` copies of `value` in small pages, for results that are filled once and read once in order. Large
+/// pages are no faster there, and where the system has none at hand it takes longer to make them.
 template <class T>
 std::vector<T> fetched_vector(std::size_t count, const T& value, const Execution& run) {
   std::vector<T> values;
@@ -71,9 +73,9 @@ std::vector<T> fetched_vector(std::size_t count, const T& value, const Execution
   return values;
 }
 
-/// A large vector of `count` elements.
+/// A vector of `count` copies of `value` in large pages.
 template <class T>
-std::vector<T> large_vector(std::size_t count, const T& value = T(), const Execution& run = {}) {
+std::vector<T> large_vector(std::size_t count, const T& value, const Execution& run) {
   std::vector<T> values;
   reserve_large(values, count);
   fetch_pages(values.data(), values.capacity() * sizeof(T), run);

@@ -5,11 +5,11 @@
 
 #include "kappa/core/bounds.hpp"
 #include "kappa/core/execution.hpp"
-#include "kappa/mesh/mesh.hpp"
 
 namespace kappa {
 
-/// Bounds of what `add(i, bounds)` adds for every i below `count`.
+/// The bounds of what `add(i, bounds)` adds for every i below `count`. `add` may be called on any thread.
+/// @throws Cancelled as `parallel_for` does.
 template <class Add>
 Bounds parallel_bounds(std::size_t count, const Execution& run, const Add& add) {
   constexpr std::size_t kBlock = 16384;

@@ -60,6 +60,10 @@ double percentile(std::vector<double>& values, double p) {
   return percentiles(values, {p}).front();
 }
 
+double median(std::vector<double>& values) {
+  return percentile(values, 50);
+}
+
 std::vector<double> percentiles(std::vector<double>& values, const std::vector<double>& p) {
   if (values.empty()) return std::vector<double>(p.size(), kNaN);
   constexpr std::size_t kMany = 20000;

@@ -40,7 +40,7 @@ struct Keyed {
 
 /// Sorts by key and leaves the order of equal keys: digit by digit, the last first, but for digits that are the same in
 /// all keys.
-void sort_by_key(std::vector<Keyed>& keyed) {
+void sort_by_key(std::vector<Keyed>& keyed, const Execution& run) {
   constexpr int kBits = 11, kPasses = 6;  // of 64 bits
   constexpr std::size_t kDigits = std::size_t{1} << kBits;
   const auto less = [](const Keyed& a, const Keyed& b) { return a.key < b.key; };
@@ -56,6 +56,7 @@ void sort_by_key(std::vector<Keyed>& keyed) {
   }
   std::vector<Keyed> sorted(keyed.size());
   for (int pass = 0; pass < kPasses; ++pass) {
+    report_progress(run, static_cast<double>(pass) / kPasses);
     auto& first = places[static_cast<std::size_t>(pass)];
     if (first[digit(keyed[0], pass)] == keyed.size()) continue;
     Index before = 0;
@@ -69,22 +70,23 @@ void sort_by_key(std::vector<Keyed>& keyed) {
 
 std::vector<Index> spatial_order(const std::vector<Vec3>& points, const Execution& run) {
   constexpr std::size_t kBlock = 16384;
-  const Bounds b = parallel_bounds(points.size(), run, [&](std::size_t i, Bounds& part) {
+  const Bounds b = parallel_bounds(points.size(), stage(run, 0.0, 0.1), [&](std::size_t i, Bounds& part) {
     if (!is_finite(points[i])) return;
     part.min = part.min.cwiseMin(points[i]);
     part.max = part.max.cwiseMax(points[i]);
   });
   const double extent = std::max((b.max - b.min).maxCoeff(), std::numeric_limits<double>::min());
   std::vector<Keyed> keyed(points.size());
-  parallel_for(points.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+  parallel_for(points.size(), kBlock, stage(run, 0.1, 0.4), [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t i = begin; i < end; ++i) {
       const bool finite = is_finite(points[i]);
       keyed[i] = {finite ? morton_code(points[i], b, extent) : ~std::uint64_t{0}, static_cast<Index>(i)};
     }
   });
-  sort_by_key(keyed);
+  sort_by_key(keyed, stage(run, 0.4, 1.0));
   std::vector<Index> order(points.size());
   std::transform(keyed.begin(), keyed.end(), order.begin(), [](const Keyed& entry) { return entry.index; });
+  report_progress(run, 1.0);
   return order;
 }
 

@@ -139,7 +139,7 @@ const std::vector<Named<NormalFit>>& names_of(NormalFit) {
 std::vector<Index> find_duplicates(const std::vector<Vec3>& points) {
   std::size_t places = 1;
   while (places < 2 * points.size()) places *= 2;
-  auto first_at = large_vector<Index>(places, kNoIndex);
+  auto first_at = large_vector<Index>(places, kNoIndex, Execution());
   std::vector<Index> representative(points.size(), kNoIndex);
   for (Index i = 0; i < points.size(); ++i) {
     if (!is_finite(points[i])) continue;

@@ -89,7 +89,7 @@ Neighbourhoods find_neighbours(const Positions& positions, int neighbours, const
   const std::size_t count = positions.x.size();
   Neighbourhoods n;
   n.k = std::min(static_cast<std::size_t>(neighbours), count - 1);
-  n.items = large_vector<Index>(n.k * count, kNoIndex);
+  n.items = large_vector<Index>(n.k * count, kNoIndex, run);
   n.reach.assign(count, 0.0);
   n.weights.assign(count, 0.0);
   parallel_for(count, kSearchBlock, run, [&](std::size_t begin, std::size_t end, int) {

@@ -92,6 +92,38 @@ TEST(ParallelFor, StopsWhenCancelled) {
   EXPECT_NO_THROW(check_cancelled(Execution{}));
 }
 
+TEST(SerialFor, TakesTheBlocksInOrderOnTheCallingThread) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::vector<std::size_t> seen;
+  serial_for(1003, 100, with_threads(3), [&](std::size_t begin, std::size_t end) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_LE(end - begin, 100U);
+    for (std::size_t i = begin; i < end; ++i) seen.push_back(i);
+  });
+  ASSERT_EQ(seen.size(), 1003U);
+  for (std::size_t i = 0; i < seen.size(); ++i) ASSERT_EQ(seen[i], i);
+  EXPECT_THROW(serial_for(10, 1, with_threads(-1), [](std::size_t, std::size_t) {}), Error);
+}
+
+TEST(Reporter, PollsAlwaysAndReportsTenTimesASecond) {
+  std::atomic<bool> cancel{false};
+  int reports = 0;
+  Execution run;
+  run.cancel = &cancel;
+  run.progress = [&](double) { ++reports; };
+  Reporter report(run);
+  const auto start = std::chrono::steady_clock::now();
+  std::chrono::duration<double> seconds{0};
+  while (seconds.count() < 0.35) {
+    report(0.5);
+    seconds = std::chrono::steady_clock::now() - start;
+  }
+  EXPECT_GE(reports, 1);
+  EXPECT_LE(reports, 10 * seconds.count());
+  cancel = true;
+  EXPECT_THROW(report(0.5), Cancelled);
+}
+
 TEST(ParallelFor, ProgressRisesOnTheCallingThread) {
   for (const int threads : {1, 2, 3}) {
     Execution run = with_threads(threads);

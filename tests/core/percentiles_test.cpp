@@ -10,6 +10,15 @@
 namespace kappa {
 namespace {
 
+TEST(Statistics, MedianIsTheGreaterOfTwoInTheMiddle) {
+  std::vector<double> values = {4, 1, 3, 2};
+  EXPECT_EQ(median(values), 3);
+  values = {3, 1, 2};
+  EXPECT_EQ(median(values), 2);
+  values.clear();
+  EXPECT_TRUE(std::isnan(median(values)));
+}
+
 TEST(Statistics, PercentilesAreRankedValues) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal(-0.3, 1);

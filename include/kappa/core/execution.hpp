@@ -2,38 +2,69 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 
 namespace kappa {
 
-/// How a long computation is run; it never changes what is computed.
+/// How a long computation is run. It never changes what is computed.
 struct Execution {
-  /// Number of threads, 0 = all the machine has. Any number gives the same bits, also where the system lets fewer
-  /// start.
+  /// The number of threads; 0 stands for all that the machine has. Every number gives the same bits, also where the
+  /// system lets fewer threads start.
   int threads = 1;
-  /// Called with a fraction in [0, 1], on the calling thread, a few times a second at most.
+  /// A function that is told which part of the work is done, a number in [0, 1]. It is called on the calling thread, a
+  /// few times a second at most, and at least once by every function that may run long.
   std::function<void(double)> progress;
-  /// Raise it from anywhere to stop: the call then throws `Cancelled`.
+  /// A flag that any thread may raise to stop the work: the call then throws `Cancelled` and leaves its outputs
+  /// untouched. It is polled many times a second, and after each call of `progress`.
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// Threads `run` stands for on this machine.
+/// The number of threads that `run` stands for on this machine.
 /// @throws Error InvalidArgument if `run.threads` is negative or above 4096.
 int thread_count(const Execution& run);
 
-/// Throws `Cancelled` if `run.cancel` is raised.
+/// Polls the flag.
+/// @throws Cancelled if `run.cancel` is raised.
 void check_cancelled(const Execution& run);
 
-/// `run` with its progress mapped into [from, to], for one stage of several.
+/// Reports that the part `done` of the work is done, and polls the flag: for stages without a loop.
+/// @throws Cancelled if `run.cancel` is raised.
+void report_progress(const Execution& run, double done);
+
+/// `run` with its progress mapped into [from, to], for one stage of several. With from = to the stage is polled, and
+/// its progress stands still.
 Execution stage(const Execution& run, double from, double to);
 
-/// Calls `body(begin, end, worker)` for consecutive blocks of [0, count), in any order and on
-/// `thread_count(run)` threads, `worker` in [0, threads) telling per-thread workspaces apart.
-/// Every output must have one writer and must not depend on `worker`: then the result does not
-/// depend on the number of threads. An exception of the body ends the loop and is rethrown here.
-/// @throws Cancelled if `run.cancel` is raised; it is polled before each block.
+/// Reports progress from a loop of its own, ten times a second at most.
+class Reporter {
+ public:
+  /// `run` must outlive the reporter.
+  explicit Reporter(const Execution& run) : run_(run) {}
+
+  /// Polls the flag, and reports the part `done` if the last report is long enough ago.
+  /// @throws Cancelled if `run.cancel` is raised.
+  void operator()(double done);
+
+ private:
+  const Execution& run_;
+  std::chrono::steady_clock::time_point last_report_ = std::chrono::steady_clock::now();
+};
+
+/// Calls `body(begin, end, worker)` for consecutive blocks of [0, count), in any order, on `thread_count(run)` threads.
+///
+/// `block` is the length of a block. `worker`, in [0, threads), tells workspaces of the threads apart. The result does
+/// not depend on the number of threads if every output has one writer and does not depend on `worker`. The flag is
+/// polled before each block, progress is reported between blocks, and 1 at the end.
+/// @throws Cancelled if `run.cancel` is raised, even by the last report; Error as `thread_count` does; and whatever the
+/// body throws, which ends the loop.
 void parallel_for(std::size_t count, std::size_t block, const Execution& run,
                   const std::function<void(std::size_t begin, std::size_t end, int worker)>& body);
+
+/// Calls `body(begin, end)` for consecutive blocks of [0, count), in order, on the calling thread: for loops of which
+/// each step builds on those before. Polling, progress and exceptions are those of `parallel_for`.
+void serial_for(std::size_t count, std::size_t block, const Execution& run,
+                const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 }  // namespace kappa

@@ -3,18 +3,24 @@
 
 #include <vector>
 
+#include "kappa/core/execution.hpp"
 #include "kappa/core/types.hpp"
 
 namespace kappa {
 
-/// values[from[0]], values[from[1]], ...; nothing if there are no values, as of an attribute that a cloud lacks. Every
-/// index must be below their number otherwise.
+/// The values that stand at the places `from`: values[from[0]], values[from[1]], ... If there are no values, as for an
+/// attribute that a cloud lacks, the result has none. Otherwise every place must be below values.size(); this is not
+/// checked.
+/// @throws Cancelled as `serial_for` does.
 template <class T>
-std::vector<T> gathered(const std::vector<T>& values, const std::vector<Index>& from) {
+std::vector<T> gathered(const std::vector<T>& values, const std::vector<Index>& from, const Execution& run = {}) {
+  constexpr std::size_t kBlock = 16384;
   std::vector<T> result;
   if (values.empty()) return result;
   result.reserve(from.size());
-  for (const Index i : from) result.push_back(values[i]);
+  serial_for(from.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) result.push_back(values[from[i]]);
+  });
   return result;
 }
 
