@@ -13,8 +13,6 @@ enum class PlanDuplicates {
 };
 const std::vector<Named<PlanDuplicates>>& names_of(PlanDuplicates);
 
-const std::vector<Named<PlanDuplicates>>& names_of(PlanDuplicates);
-
 struct DelaunayOptions {
   /// Greatest length in plan of the edges of a face, in units of the spacing; positive, infinity to fill the convex
   /// hull.
