@@ -34,7 +34,7 @@ const std::map<std::string, Engine> kEngines = {{"flann", make_flann}, {"tree", 
 const BallSum& engine(const std::string& name, const std::string& surface) {
   static std::map<std::string, std::unique_ptr<BallSum>> made;
   std::unique_ptr<BallSum>& slot = made[name + "/" + surface];
-  if (!slot) slot = kEngines.at(name)(bench::measured(surface));
+  if (!slot) slot = kEngines.at(name)(bench::triangles(surface));
   return *slot;
 }
 
@@ -88,7 +88,7 @@ void search_alone(benchmark::State& state, const std::string& surface, int faces
   static std::map<std::string, std::unique_ptr<NeighbourSearch>> made;
   std::unique_ptr<NeighbourSearch>& search = made[surface];
   if (!search) {
-    const Triangles& t = bench::measured(surface);
+    const Triangles& t = bench::triangles(surface);
     std::vector<Vec3> centroids;
     for (const auto& c : t.corners) centroids.push_back((t.x[c[0]] + t.x[c[1]] + t.x[c[2]]) / 3);
     search = std::make_unique<NeighbourSearch>(centroids);
@@ -109,7 +109,7 @@ void search_alone(benchmark::State& state, const std::string& surface, int faces
 }
 
 void build(benchmark::State& state, const std::string& name) {
-  const Triangles& t = bench::measured("torus");
+  const Triangles& t = bench::triangles("torus");
   Execution one;  // as FLANN has
   one.threads = 1;
   for (auto _ : state) {
@@ -123,9 +123,7 @@ void build(benchmark::State& state, const std::string& name) {
     benchmark::DoNotOptimize(balls.get());
     state.PauseTiming();
     if (const auto* tree = dynamic_cast<const MeasureTree*>(balls.get()))
-      state.counters["bytes_per_triangle"] =
-          static_cast<double>(tree->bytes() + tree->triangles().measures.size() * sizeof(MeasureSum)) /
-          static_cast<double>(t.size());
+      state.counters["bytes_per_triangle"] = static_cast<double>(tree->bytes()) / static_cast<double>(t.size());
     balls.reset();
     state.ResumeTiming();
   }

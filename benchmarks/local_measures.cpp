@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "balls/ball_workspace.hpp"
+#include "balls/whole_measures.hpp"
 #include "surfaces.hpp"
 
 // Measures of every face against the bandwidth of the machine: bytes that must be read and written (vertices, normals
@@ -32,14 +32,14 @@ void set_bytes(benchmark::State& state, const Triangles& t) {
 /// The whole call, with the check of the mesh and the copies of vertices and normals.
 void whole_call(benchmark::State& state, const std::string& surface) {
   const bench::Surface& s = bench::surface(surface);
-  for (auto _ : state) benchmark::DoNotOptimize(triangles_of(s.mesh, s.normals).measures.data());
-  set_bytes(state, bench::measured(surface));
+  for (auto _ : state) benchmark::DoNotOptimize(measure_triangles(triangles_of(s.mesh, s.normals)).data());
+  set_bytes(state, bench::triangles(surface));
 }
 
 /// The pass over the faces alone.
 void pass(benchmark::State& state) {
-  const Triangles& t = bench::measured("torus");
-  const kernels::TriangleView view = view_of(t);
+  const Triangles& t = bench::triangles("torus");
+  const kernels::TriangleView view = view_of(t, {});
   const kernels::Table& table = kernels::best_table();
   std::vector<MeasureSum> out(t.size());
   for (auto _ : state) {
@@ -51,7 +51,7 @@ void pass(benchmark::State& state) {
 
 /// A plain scalar loop over the faces.
 void plain_loop(benchmark::State& state) {
-  const Triangles& t = bench::measured("torus");
+  const Triangles& t = bench::triangles("torus");
   std::vector<MeasureSum> out(t.size());
   for (auto _ : state) {
     for (std::size_t i = 0; i < t.size(); ++i) {

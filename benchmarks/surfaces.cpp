@@ -130,7 +130,7 @@ const Surface& surface(const std::string& name) {
   return found != made.end() ? found->second : made.emplace(name, make(name)).first->second;
 }
 
-const Triangles& measured(const std::string& name) {
+const Triangles& triangles(const std::string& name) {
   static std::map<std::string, Triangles> made;
   const auto found = made.find(name);
   if (found != made.end()) return found->second;

@@ -19,8 +19,8 @@ struct Surface {
 /// random order). Made once.
 const Surface& surface(const std::string& name);
 
-/// The measured triangles of a surface. Made once.
-const Triangles& measured(const std::string& name);
+/// The triangles of a surface. Made once.
+const Triangles& triangles(const std::string& name);
 
 /// Radius of a disc of `faces` average triangles of the torus or terrain that the surface is made of.
 double radius_for(const std::string& name, double faces);

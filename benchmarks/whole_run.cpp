@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "kappa/balls/measure_tree.hpp"
-#include "kappa/curvature/estimate.hpp"
+#include "kappa/curvature/in_balls.hpp"
 #include "surfaces.hpp"
 
 // whole_run double|fast: curvatures at all vertices of the torus in one process, and the peak of its memory in MiB as
@@ -17,8 +17,7 @@ int main(int argc, char** argv) {
   if (!is("double") && !is("fast")) return 2;
   const bench::Surface& s = bench::surface("torus");
   const MeasureTree tree(triangles_of(s.mesh, s.normals), is("fast") ? Precision::Fast : Precision::Double);
-  const auto fields = estimate_curvatures(tree, s.mesh.vertices, s.normals, {bench::radius_for("torus", 200)},
-                                          BallDefinition::ExactDensity, {});
+  const auto fields = curvatures_in_balls(tree, s.mesh.vertices, s.normals, {{bench::radius_for("torus", 200)}});
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
   std::printf("{\"peak_mib\": %.1f, \"cpu_s\": %.2f, \"points\": %zu, \"tree_bytes_a_triangle\": %.1f}\n",

@@ -54,10 +54,11 @@ void print_orders(const std::string& name, const Subject& s, const std::vector<d
   const MeasureTree balls(triangles_of(s.mesh, s.u));
   CurvatureOptions options;
   options.radii = radii;
-  for (options.order = 1; options.order <= 3; ++options.order) {
+  for (const int order : {1, 2, 3}) {
+    options.order = order;
     const auto fields = estimate_curvatures(balls, s.u, options, all_threads());
     for (const CurvatureField& f : fields) {
-      print_setting(name, f.radius, options.order, "plain");
+      print_setting(name, f.radius, order, "plain");
       print_errors(errors(f, s.truth));
     }
   }
@@ -163,7 +164,7 @@ double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Of one thread; bytes are those of the triangles with their tree.
+/// Of one thread; the bytes of the triangles and of their tree, which has the measures.
 struct Cost {
   double splitting, balls, bytes;
 };
@@ -174,8 +175,7 @@ Cost cost(const Subject& s, const Splitting& how, double radius, int order) {
   const double is_split = cpu_seconds();
   const double points = static_cast<double>(t.x.size() * 2 * sizeof(Vec3));
   const double parts =
-      static_cast<double>(t.size() * (sizeof(t.corners[0]) + sizeof(t.measures[0]) + sizeof(t.faces[0])) +
-                          t.weights.size() * sizeof(double));
+      static_cast<double>(t.size() * (sizeof(t.corners[0]) + sizeof(t.faces[0])) + t.weights.size() * sizeof(double));
   const MeasureTree balls(std::move(t));
   estimate_curvatures(balls, s.u, at(radius, order));
   return {is_split - start, cpu_seconds() - is_split, points + parts + static_cast<double>(balls.bytes())};

@@ -34,11 +34,10 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-CurvatureOptions at(double radius, int order, int refine = 0) {
+CurvatureOptions at(double radius, int order) {
   CurvatureOptions options;
   options.radii = {radius};
   options.order = order;
-  options.refine = refine;
   return options;
 }
 
@@ -67,7 +66,7 @@ std::vector<Row> clean_rows(const Case& c, const Oriented& cloud) {
   add_all_balls(cloud, c.radii, rows);
   for (const double radius : c.refined_radii) {
     for (const int order : {2, 3}) {
-      for (const int levels : {1, 2}) rows.push_back(umbrella_row(cloud, at(radius, order, levels)));
+      for (const int levels : {1, 2}) rows.push_back(umbrella_row(cloud, at(radius, order), levels));
     }
   }
   return rows;

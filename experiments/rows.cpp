@@ -29,10 +29,10 @@ void measure(const std::vector<TrueCurvature>& truth, int runs, const std::funct
   row.points_per_second = static_cast<double>(points) / seconds[seconds.size() / 2];
 }
 
-std::string setting_of(const CurvatureOptions& options) {
+std::string setting_of(const CurvatureOptions& options, int refine) {
   if (options.scale == ScaleChoice::PerPoint) return "own scale of each point";
-  std::string setting = text("radius %g, order %d", options.radii[0], options.order);
-  if (options.refine > 0) setting += text(", refined %d", options.refine);
+  std::string setting = text("radius %g, order %d", options.radii[0], options.order.value_or(1));
+  if (refine > 0) setting += text(", refined %d", refine);
   return setting;
 }
 
@@ -112,11 +112,13 @@ Row scheme_row(const Oriented& cloud, TriangleScheme scheme, int neighbours) {
   return row;
 }
 
-Row umbrella_row(const Oriented& cloud, const CurvatureOptions& options) {
-  Row row = row_of(cloud, "umbrella", setting_of(options));
+Row umbrella_row(const Oriented& cloud, const CurvatureOptions& options, int refine) {
+  MeasureOptions splitting;
+  splitting.refine = refine;
+  Row row = row_of(cloud, "umbrella", setting_of(options, refine));
   const auto compute = [&] {
     const CloudSurface surface = umbrella_surface(Vec3::Zero(), cloud.known.scan.points, cloud.u, {});
-    return estimate_curvatures(surface.mesh, cloud.u, options)[0];
+    return estimate_curvatures(surface.mesh, cloud.u, options, splitting)[0];
   };
   measure(cloud.known.truth, cloud.runs, compute, row);
   return row;
@@ -129,7 +131,7 @@ Row surface_row(const KnownScan& known, SurfaceKind kind, NormalsKind normals, c
   Row row;
   row.normals = normals == NormalsKind::Input ? "exact normals" : "normals of faces";
   row.surface = name(kind);
-  row.setting = setting_of(options);
+  row.setting = setting_of(options, 0);
   const auto compute = [&] {
     const Surface surface = make_surface(known.scan, how);
     return estimate_curvatures(surface.mesh, surface.u, options)[0];

@@ -43,7 +43,8 @@ KnownScan rotated(const KnownScan& known, const Mat3& rotation);
 
 /// 100 triangles a point for Uniform.
 Row scheme_row(const Oriented& cloud, TriangleScheme scheme, int neighbours);
-Row umbrella_row(const Oriented& cloud, const CurvatureOptions& options);
+/// Every triangle split in four `refine` times.
+Row umbrella_row(const Oriented& cloud, const CurvatureOptions& options, int refine = 0);
 /// Faces and normals as make_surface makes them.
 Row surface_row(const KnownScan& known, SurfaceKind kind, NormalsKind normals, const CurvatureOptions& options);
 

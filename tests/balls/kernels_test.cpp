@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 
+#include "balls/whole_measures.hpp"
 #include "kappa/balls/measure_tree.hpp"
 #include "support/ball_sums.hpp"
 #include "support/shapes.hpp"
@@ -93,13 +94,13 @@ TEST(Kernels, EveryInstructionSetMeasuresFacesToTheSameBits) {
   Triangles t = triangles_of(s.mesh, s.normals);
   t.weights.assign(t.size(), 1.0);
   t.weights.back() = 3;
-  const kernels::TriangleView view = {
-      t.size(), &t.measures[0].area, t.corners[0].data(), t.x[0].data(), t.u[0].data(), t.weights.data(), nullptr};
+  const std::vector<MeasureSum> unweighted = measure_triangles(triangles_of(s.mesh, s.normals));
+  const kernels::TriangleView view = view_of(t, {});
   for (const std::size_t count : {t.size(), std::size_t{1}, std::size_t{6}}) {
     std::vector<MeasureSum> baseline(t.size());
     kernels::baseline_table().measure(view, t.size() - count, t.size(), &baseline[0].area);
     EXPECT_EQ(baseline[t.size() - count].area == 0, false);
-    EXPECT_EQ(baseline.back().mu0, 3 * t.measures.back().mu0);
+    EXPECT_EQ(baseline.back().mu0, 3 * unweighted.back().mu0);
     for (const kernels::Table* const table : other_tables()) {
       std::vector<MeasureSum> found(t.size());
       table->measure(view, t.size() - count, t.size(), &found[0].area);
@@ -114,15 +115,16 @@ TEST(Triangles, AreThoseOfEveryTriangleAlone) {
     mesh.weights.clear();
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) mesh.weights.push_back(1 + static_cast<double>(f % 3));
     const Triangles t = triangles_of(mesh, z.normals);
+    const std::vector<MeasureSum> measures = measure_triangles(t);
     for (std::size_t i = 0; i < t.size(); ++i) {
       const auto& c = t.corners[i];
       const Measures m = triangle_measures({t.x[c[0]], t.x[c[1]], t.x[c[2]]}, {t.u[c[0]], t.u[c[1]], t.u[c[2]]});
       const double w = mesh.weights[t.faces[i]], size = (t.x[c[1]] - t.x[c[0]]).norm() + (t.x[c[2]] - t.x[c[0]]).norm();
       // Of terms of the size of edges squared and edges, a few roundings.
-      EXPECT_NEAR(t.measures[i].area, w * m.area, 1e-15 * w * size * size) << z.name << i;
-      EXPECT_NEAR(t.measures[i].mu0, w * m.mu0, 1e-15 * w * size * size) << z.name << i;
-      EXPECT_NEAR(t.measures[i].mu1(), w * m.mu1, 1e-14 * w * size) << z.name << i;
-      EXPECT_NEAR(t.measures[i].mu2, w * m.mu2, 1e-14 * w) << z.name << i;
+      EXPECT_NEAR(measures[i].area, w * m.area, 1e-15 * w * size * size) << z.name << i;
+      EXPECT_NEAR(measures[i].mu0, w * m.mu0, 1e-15 * w * size * size) << z.name << i;
+      EXPECT_NEAR(measures[i].mu1(), w * m.mu1, 1e-14 * w * size) << z.name << i;
+      EXPECT_NEAR(measures[i].mu2, w * m.mu2, 1e-14 * w) << z.name << i;
     }
   }
 }
@@ -142,12 +144,14 @@ TEST(Triangles, AreTheSameBitsWhicheverWayTheyCome) {
   one_more.emplace_back(0, 0, 1);
   Execution three;
   three.threads = 3;
+  const std::vector<MeasureSum> measures = measure_triangles(plain);
   const std::size_t bytes = plain.size() * sizeof(MeasureSum);
   for (const Triangles& t :
        {triangles_of(ones, s.normals), triangles_of(other, s.normals), triangles_of(dropping, one_more),
         triangles_of(s.mesh, s.normals, QuadMeasures::Split, three)}) {
     ASSERT_GE(t.size(), plain.size());
-    EXPECT_EQ(std::memcmp(t.measures.data(), plain.measures.data(), bytes), 0);
+    for (const Execution& run : {Execution(), three})
+      EXPECT_EQ(std::memcmp(measure_triangles(t, run).data(), measures.data(), bytes), 0);
     EXPECT_TRUE(std::equal(plain.corners.begin(), plain.corners.end(), t.corners.begin()));
     EXPECT_TRUE(std::equal(plain.faces.begin(), plain.faces.end(), t.faces.begin()));
     EXPECT_EQ(t.weight(7), 1);

@@ -230,7 +230,7 @@ TEST(MeasureTree, CanBeCancelled) {
   EXPECT_LT(answered, s.mesh.vertices.size());
 }
 
-TEST(MeasureTree, IsTheSameMadeByAnyNumberOfThreadsAndWithoutMeasures) {
+TEST(MeasureTree, IsTheSameMadeByAnyNumberOfThreads) {
   const Shape s = shapes::torus(3, 1, 200, 90);  // several parts for every thread
   const std::vector<Vec3> centres = places(s.mesh, 50, 0.4);
   const MeasureTree expected(triangles_of(s.mesh, s.normals));

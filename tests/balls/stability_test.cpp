@@ -149,7 +149,7 @@ Union union_around(const Mesh& mesh, const Vec3& centre, double radius) {
 
 void expect_bound(const Shape& s, const Surface& surface, std::size_t faces, const std::vector<double>& radii) {
   const Quality q = quality_of(s, surface, faces);
-  const Triangles t = triangles_of(s.mesh, s.normals);
+  const std::vector<MeasureSum> measures = measure_triangles(triangles_of(s.mesh, s.normals));
   double sharpest = 1e300;
   for (std::size_t v = 0; v < s.mesh.vertices.size(); v += s.mesh.vertices.size() / 7) {
     for (const double radius : radii) {
@@ -160,9 +160,9 @@ void expect_bound(const Shape& s, const Surface& surface, std::size_t faces, con
         truth.mu0 += part.mu0;
         truth.mu1 += part.mu1;
         truth.mu2 += part.mu2;
-        got.mu0 += t.measures[f].mu0;
-        got.mu1 += t.measures[f].mu1();
-        got.mu2 += t.measures[f].mu2;
+        got.mu0 += measures[f].mu0;
+        got.mu1 += measures[f].mu1();
+        got.mu2 += measures[f].mu2;
       }
       const double bound =
           16 * std::max(1.0, surface.k_max * surface.k_max) * (1 + std::pow(q.lipschitz, 4)) *

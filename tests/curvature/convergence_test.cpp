@@ -19,7 +19,7 @@ struct Errors {
 };
 
 Errors l2_errors(const Shape& s, const Normals& u) {
-  const CurvatureField f = curvatures_at_vertices(triangles_of(s.mesh, u), u, VertexLimit::Star);
+  const CurvatureField f = curvatures_at_vertices(BruteForceBallSum(triangles_of(s.mesh, u)), u, VertexLimit::Star);
   Errors e;
   for (std::size_t i = 0; i < f.samples.size(); ++i) {
     const Curvatures& k = f.samples[i].k;

@@ -22,16 +22,16 @@ const std::vector<double> kRadii = {0.25, 0.7};
 
 /// All fields that the tests compare: both ball definitions at two radii, and both vertex limits.
 std::vector<CurvatureField> all_fields(const Mesh& mesh, const Normals& u, double unit = 1) {
-  const Triangles triangles = triangles_of(mesh, u);
-  const BruteForceBallSum balls(triangles);
+  const BruteForceBallSum balls(triangles_of(mesh, u));
   std::vector<CurvatureField> fields;
   for (const BallDefinition ball : kBalls) {
-    for (CurvatureField& f : estimate_curvatures(balls, mesh.vertices, u, {kRadii[0] * unit, kRadii[1] * unit}, ball)) {
+    for (CurvatureField& f :
+         curvatures_in_balls(balls, mesh.vertices, u, {{kRadii[0] * unit, kRadii[1] * unit}, 1, ball})) {
       fields.push_back(std::move(f));
     }
   }
   for (const VertexLimit limit : {VertexLimit::Star, VertexLimit::Limit}) {
-    fields.push_back(curvatures_at_vertices(triangles, u, limit));
+    fields.push_back(curvatures_at_vertices(balls, u, limit));
   }
   return fields;
 }
@@ -121,7 +121,7 @@ TEST(EstimateCurvatures, AreaCoverageAndMeasuresOfAPlane) {
   const std::vector<Vec3> centres = {Vec3(0.5, 0.5, 0), Vec3(0.5, 0, 0), Vec3(0, 0, 0), Vec3(0.5, 0.5, 0.06)};
   const Normals up(4, Vec3::UnitZ());
   for (const BallDefinition ball : kBalls) {
-    const CurvatureField f = estimate_curvatures(balls, centres, up, {0.1}, ball)[0];
+    const CurvatureField f = curvatures_in_balls(balls, centres, up, {{0.1}, 1, ball})[0];
     EXPECT_EQ(f.radius, 0.1);
     const std::array<double, 4> coverage = {1, 0.5, 0.25, 0.64};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -159,7 +159,7 @@ TEST(EstimateCurvatures, StatusesGiveNaN) {
                                      Vec3(kNaN, 0, 0),  Vec3(0.5, 0.5, 0), Vec3(0.5, 0.5, 0)};
   const Normals at = {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitZ(), Vec3::Zero(), Vec3(0, kNaN, 1)};
   for (const BallDefinition ball : kBalls) {
-    const CurvatureField f = estimate_curvatures(balls, centres, at, {0.3}, ball)[0];
+    const CurvatureField f = curvatures_in_balls(balls, centres, at, {{0.3}, 1, ball})[0];
     EXPECT_EQ(f.samples[0].k.status, PointStatus::Valid);
     expect_nan(f.samples[1], PointStatus::Empty);
     EXPECT_EQ(f.samples[1].face_count, 0U);
@@ -176,9 +176,9 @@ TEST(EstimateAtVertices, StatusesGiveNaN) {
   s.mesh.vertices.emplace_back(7, 7, 7);  // isolated
   s.normals.push_back(Vec3::UnitZ());
   s.normals[12] = Vec3::Zero();
-  const Triangles t = triangles_of(s.mesh, s.normals);
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   for (const VertexLimit limit : {VertexLimit::Star, VertexLimit::Limit}) {
-    const CurvatureField f = curvatures_at_vertices(t, s.normals, limit);
+    const CurvatureField f = curvatures_at_vertices(balls, s.normals, limit);
     EXPECT_EQ(f.radius, 0);
     ASSERT_EQ(f.samples.size(), s.normals.size());
     EXPECT_EQ(f.samples[0].k.status, PointStatus::Valid);
@@ -217,19 +217,22 @@ TEST(EstimateAtVertices, StarAndLimitByHand) {
     m *= std::acos(a.dot(b) / (a.norm() * b.norm())) / (a.cross(b).norm() / 2);
     limit += m;
   }
-  const Triangles t = triangles_of(s.mesh, s.normals);
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const Vec3& u = s.normals[0];
-  expect_curvatures(curvatures_at_vertices(t, s.normals, VertexLimit::Star).samples[0].k, curvatures(star, u), 1e-13);
-  expect_curvatures(curvatures_at_vertices(t, s.normals, VertexLimit::Limit).samples[0].k, curvatures(limit, u), 1e-13);
+  expect_curvatures(curvatures_at_vertices(balls, s.normals, VertexLimit::Star).samples[0].k, curvatures(star, u),
+                    1e-13);
+  expect_curvatures(curvatures_at_vertices(balls, s.normals, VertexLimit::Limit).samples[0].k, curvatures(limit, u),
+                    1e-13);
   EXPECT_GT(std::abs(curvatures(star, u).mean - curvatures(limit, u).mean), 1e-3) << "the fan cannot tell them apart";
 }
 
 TEST(EstimateAtVertices, LimitIsThatOfSmallBalls) {
   const Shape s = weighted_fan();
-  const Triangles t = triangles_of(s.mesh, s.normals);
-  const CurvatureField small = estimate_curvatures(BruteForceBallSum(t), {s.mesh.vertices[0]}, {s.normals[0]}, {1e-3},
-                                                   BallDefinition::AreaFraction)[0];
-  expect_curvatures(curvatures_at_vertices(t, s.normals, VertexLimit::Limit).samples[0].k, small.samples[0].k, 1e-9);
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
+  const CurvatureField small =
+      curvatures_in_balls(balls, {s.mesh.vertices[0]}, {s.normals[0]}, {{1e-3}, 1, BallDefinition::AreaFraction})[0];
+  expect_curvatures(curvatures_at_vertices(balls, s.normals, VertexLimit::Limit).samples[0].k, small.samples[0].k,
+                    1e-9);
 }
 
 TEST(EstimateCurvatures, SurvivesTheZoo) {
@@ -257,7 +260,7 @@ TEST(EstimateCurvatures, Refuses) {
   const Shape s = shapes::sphere(1, 1);
   const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const auto call = [&](const Normals& u, const std::vector<double>& radii) {
-    return estimate_curvatures(balls, s.mesh.vertices, u, radii, BallDefinition::ExactDensity);
+    return curvatures_in_balls(balls, s.mesh.vertices, u, {radii});
   };
   EXPECT_THROW(call(Normals(2, Vec3::UnitX()), {1}), Error);
   for (const double radius : {0.0, -0.5, kNaN, HUGE_VAL}) EXPECT_THROW(call(s.normals, {radius}), Error) << radius;

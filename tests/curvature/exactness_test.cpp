@@ -17,7 +17,7 @@ constexpr std::array<VertexLimit, 2> kLimits = {VertexLimit::Star, VertexLimit::
 
 std::vector<CurvatureField> in_balls(const Shape& s, const std::vector<double>& radii, BallDefinition ball) {
   const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
-  return estimate_curvatures(balls, s.mesh.vertices, s.normals, radii, ball);
+  return curvatures_in_balls(balls, s.mesh.vertices, s.normals, {radii, 1, ball});
 }
 
 struct Expected {
@@ -42,8 +42,8 @@ void expect_exact(const Shape& s, const Expected& e, const std::vector<double>& 
   for (const BallDefinition ball : kBalls) {
     for (const CurvatureField& field : in_balls(s, radii, ball)) expect_field(field, e, what);
   }
-  const Triangles triangles = triangles_of(s.mesh, s.normals);
-  for (const VertexLimit limit : kLimits) expect_field(curvatures_at_vertices(triangles, s.normals, limit), e, what);
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
+  for (const VertexLimit limit : kLimits) expect_field(curvatures_at_vertices(balls, s.normals, limit), e, what);
 }
 
 TEST(Exact, Sphere) {
@@ -107,12 +107,11 @@ TEST(Exact, SchwarzLantern) {
   double area = 0;
   for (const MeasureSum& m : measure_triangles(triangles_of(s.mesh, s.normals))) area += m.area;
   EXPECT_GT(area, 10 * 2 * kPi);
-  const Triangles triangles = triangles_of(s.mesh, s.normals);
+  const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   for (const VertexLimit limit : kLimits) {
-    expect_field(curvatures_at_vertices(triangles, s.normals, limit), {0.5, 0, 1}, "lantern");
+    expect_field(curvatures_at_vertices(balls, s.normals, limit), {0.5, 0, 1}, "lantern");
   }
   // Balls around every 97th vertex: the brute force is slow.
-  const BruteForceBallSum balls(triangles);
   std::vector<Vec3> centres;
   Normals u;
   for (std::size_t i = 0; i < s.normals.size(); i += 97) {
@@ -120,7 +119,7 @@ TEST(Exact, SchwarzLantern) {
     u.push_back(s.normals[i]);
   }
   for (const BallDefinition ball : kBalls) {
-    for (const CurvatureField& field : estimate_curvatures(balls, centres, u, {0.004, 0.05, 0.3, 1.5}, ball)) {
+    for (const CurvatureField& field : curvatures_in_balls(balls, centres, u, {{0.004, 0.05, 0.3, 1.5}, 1, ball})) {
       expect_field(field, {0.5, 0, 1}, "lantern");
     }
   }
@@ -130,8 +129,7 @@ TEST(Exact, PrincipalCurvaturesOfACylinder) {
   const Shape s = shapes::cylinder(2, 6, 60, 40);
   const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   const Index middle = 20 * 60;
-  const CurvatureField f = estimate_curvatures(balls, {s.mesh.vertices[middle]}, {s.normals[middle]}, {0.5},
-                                               BallDefinition::ExactDensity)[0];
+  const CurvatureField f = curvatures_in_balls(balls, {s.mesh.vertices[middle]}, {s.normals[middle]}, {{0.5}})[0];
   const Curvatures& k = f.samples[0].k;
   EXPECT_NEAR(k.k_min, 0, 2e-3);
   EXPECT_NEAR(k.k_max, 0.5, 0.01);
@@ -139,13 +137,13 @@ TEST(Exact, PrincipalCurvaturesOfACylinder) {
   EXPECT_NEAR(std::abs(k.dir_max.y()), 1, 1e-4) << "across the axis at the vertex (2, 0, z)";
 }
 
-/// SPEC section 3: on a sphere k = (1 - rho^2 / (4 R^2)) / R + O(rho^4).
+/// On a sphere of radius R the principal curvatures in a ball of radius rho are k = (1 - rho^2 / (4 R^2)) / R +
+/// O(rho^4).
 TEST(Exact, KnownScaleBiasOfTheSphere) {
   const Shape s = shapes::sphere(1, 5);
   const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
   for (const double rho : {0.2, 0.4}) {
-    const auto f =
-        estimate_curvatures(balls, {s.mesh.vertices[0]}, {s.normals[0]}, {rho}, BallDefinition::ExactDensity);
+    const auto f = curvatures_in_balls(balls, {s.mesh.vertices[0]}, {s.normals[0]}, {{rho}});
     EXPECT_NEAR(f[0].samples[0].k.k_max, 1 - rho * rho / 4, 1.5e-3) << rho;
     EXPECT_NEAR(f[0].samples[0].k.k_min, 1 - rho * rho / 4, 1.5e-3) << rho;
   }

@@ -97,10 +97,7 @@ struct Errors {
 Errors slice_errors(const Shape& s, std::size_t rings, double radius, int order) {
   const auto first = [&](const auto& all) { return std::vector<Vec3>(all.begin(), all.begin() + rings); };
   const MeasureTree balls(triangles_of(s.mesh, s.normals));
-  CurvatureOptions options;
-  options.radii = {radius};
-  options.order = order;
-  const auto f = estimate_curvatures(balls, first(s.mesh.vertices), first(s.normals), options);
+  const auto f = curvatures_in_balls(balls, first(s.mesh.vertices), first(s.normals), {{radius}, order});
   Errors e;
   for (std::size_t i = 0; i < rings; ++i) {
     const Curvatures& k = f[0].samples[i].k;
@@ -145,12 +142,14 @@ class CountingBallSum final : public BallSum {
  public:
   explicit CountingBallSum(const BallSum& from) : from_(from) {}
   const Triangles& triangles() const override { return from_.triangles(); }
-  mutable std::vector<std::vector<double>> asked;
+  MeasureSum measures_of(std::size_t triangle) const override { return from_.measures_of(triangle); }
+  mutable std::vector<std::size_t> asked;  ///< numbers of radii
 
  private:
-  void do_sum(const std::vector<Vec3>& centres, const std::vector<double>& radii, BallDefinition ball,
-              const Execution& run, const Sink& sink) const override {
-    asked.push_back(radii);
+  void do_sum(const std::vector<Vec3>& centres, const BallRadii& radii, BallDefinition ball, const Execution& run,
+              const Sink& sink) const override {
+    EXPECT_TRUE(radii.are_common());
+    asked.push_back(radii.count());
     from_.sum(centres, radii, ball, run, sink);
   }
   const BallSum& from_;
@@ -165,7 +164,7 @@ TEST(Orders, OneWalkServesAllRadiiAndEachBallOnce) {
   options.order = 3;
   const auto f = estimate_curvatures(balls, s.normals, options);
   ASSERT_EQ(balls.asked.size(), 1U);
-  EXPECT_EQ(balls.asked[0].size(), 5U) << "1, 0.71, 0.5 and 0.5, 0.35, 0.25 share one";
+  EXPECT_EQ(balls.asked[0], 5U) << "1, 0.71, 0.5 and 0.5, 0.35, 0.25 share one";
   ASSERT_EQ(f.size(), 2U);
   for (std::size_t r = 0; r < 2; ++r) {
     options.radii = {r == 0 ? 1.0 : 0.5};
@@ -183,7 +182,7 @@ TEST(Orders, CombineTheBallsOfTheirRadii) {
   options.radii = {0.9};
   options.order = 2;
   const CurvatureField f = estimate_curvatures(balls, s.normals, options)[0];
-  const auto of = estimate_curvatures(balls, s.mesh.vertices, s.normals, {0.9, 0.9 / std::sqrt(2.0)}, options.ball);
+  const auto of = curvatures_in_balls(balls, s.mesh.vertices, s.normals, {{0.9, 0.9 / std::sqrt(2.0)}});
   const auto tensor = [](const Curvatures& k) -> Mat3 {
     return k.k_min * k.dir_min * k.dir_min.transpose() + k.k_max * k.dir_max * k.dir_max.transpose();
   };
@@ -204,12 +203,9 @@ TEST(Orders, CombineTheBallsOfTheirRadii) {
 TEST(Orders, EmptyInnerBallHasNoAnswer) {
   const Shape s = shapes::square(5);
   const BruteForceBallSum balls(triangles_of(s.mesh, s.normals));
-  CurvatureOptions options;
-  options.radii = {0.5};
   for (const int order : {1, 2, 3}) {
-    options.order = order;
     const auto at = [&](double z) {
-      return estimate_curvatures(balls, {Vec3(0.5, 0.5, z)}, {Vec3::UnitZ()}, options)[0].samples[0];
+      return curvatures_in_balls(balls, {Vec3(0.5, 0.5, z)}, {Vec3::UnitZ()}, {{0.5}, order})[0].samples[0];
     };
     EXPECT_EQ(at(0.45).k.status, order == 1 ? PointStatus::Valid : PointStatus::Empty);
     EXPECT_EQ(std::isnan(at(0.45).k.mean), order > 1);
@@ -258,7 +254,8 @@ TEST(Orders, RefusesRadiusZeroAndOtherOrders) {
   for (const int order : {0, 4}) {
     options.order = order;
     EXPECT_THROW(validate(options), Error);
-    EXPECT_THROW(estimate_curvatures(balls, s.mesh.vertices, s.normals, options), Error);
+    EXPECT_THROW(estimate_curvatures(balls, s.normals, options), Error);
+    EXPECT_THROW(curvatures_in_balls(balls, s.mesh.vertices, s.normals, {{1}, order}), Error);
   }
   options.order = 1;
   EXPECT_THROW(estimate_curvatures(balls, Normals(3, Vec3::UnitX()), options), Error);

@@ -25,10 +25,11 @@ Errors errors(const Scan& truth, const Normals& u, double radius, int order, int
   CurvatureOptions options;
   options.radii = {radius};
   options.order = order;
-  options.refine = refine;
+  MeasureOptions measure;
+  measure.refine = refine;
   Execution run;
   run.threads = 0;
-  const CurvatureField field = estimate_curvatures(mesh_of(truth), u, options, run)[0];
+  const CurvatureField field = estimate_curvatures(mesh_of(truth), u, options, measure, run)[0];
   const auto rms = [&](const std::string& name, double Curvatures::*value) {
     std::vector<double> values;
     for (const CurvatureSample& s : field.samples) values.push_back(s.k.*value);
@@ -124,8 +125,9 @@ TEST(RefineAccuracy, SchwarzLantern) {
   CurvatureOptions options;
   options.radii = {0.3};
   options.order = 3;
-  options.refine = 2;
-  const CurvatureField field = estimate_curvatures(mesh_of(scan), scan.normals, options)[0];
+  MeasureOptions measure;
+  measure.refine = 2;
+  const CurvatureField field = estimate_curvatures(mesh_of(scan), scan.normals, options, measure)[0];
   std::size_t inside = 0;
   for (const CurvatureSample& s : field.samples) {
     if (s.coverage < 0.99) continue;

@@ -334,8 +334,8 @@ TEST(Refine, KeepsAClosedMeshWatertight) {
 TEST(Refine, StarsAreThoseOfWholeFaces) {
   Shape s = shapes::torus(3, 1, 24, 16);
   s.mesh.faces.add({0, 1, 17, 16});
-  const Triangles coarse = triangles_of(s.mesh, s.normals);
-  const Triangles fine = refined_triangles(s.mesh, s.normals, 2);
+  const BruteForceBallSum coarse(triangles_of(s.mesh, s.normals));
+  const BruteForceBallSum fine(refined_triangles(s.mesh, s.normals, 2));
   const CurvatureField a = curvatures_at_vertices(coarse, s.normals, VertexLimit::Star);
   const CurvatureField b = curvatures_at_vertices(fine, s.normals, VertexLimit::Star);
   for (std::size_t i = 0; i < a.samples.size(); ++i) {
@@ -350,7 +350,8 @@ TEST(Refine, SameBitsForAnyNumberOfThreads) {
   run.threads = 3;
   const Triangles a = refined_triangles(s.mesh, s.normals, 2), b = refined_triangles(s.mesh, s.normals, 2, run);
   ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a.measures[i].mu_sym, b.measures[i].mu_sym);
+  const std::vector<MeasureSum> of_a = measure_triangles(a), of_b = measure_triangles(b, run);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(of_a[i].mu_sym, of_b[i].mu_sym);
 }
 
 TEST(Refine, RoughnessTellsNoisyNormals) {
@@ -379,10 +380,11 @@ TEST(Refine, Refuses) {
   const Shape s = shapes::sphere(1, 1);
   for (const int levels : {-1, kMostRefinements + 1}) EXPECT_THROW(refined_triangles(s.mesh, s.normals, levels), Error);
   EXPECT_THROW(refined_triangles(s.mesh, s.normals, ShapeOperators(), 1), Error);
-  CurvatureOptions options;
+  MeasureOptions options;
   options.refine = 1;
   options.quads = QuadMeasures::Bilinear;
   EXPECT_THROW(validate(options), Error);
+  EXPECT_THROW(triangles_of(s.mesh, s.normals, options), Error);
 }
 
 }  // namespace

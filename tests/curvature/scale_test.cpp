@@ -8,6 +8,7 @@
 #include "kappa/balls/measure_tree.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/core/orders.hpp"
+#include "kappa/curvature/estimate.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/shapes/analytic.hpp"
@@ -84,7 +85,8 @@ double best_single(const BallSum& balls, const Surface& s, double finest, int ru
   options.radii.clear();
   for (int i = 0; i < rungs; ++i) options.radii.push_back(finest * std::pow(2.0, 0.5 * i));
   double best = std::numeric_limits<double>::infinity();
-  for (options.order = 1; options.order <= 3; ++options.order) {
+  for (const int order : {1, 2, 3}) {
+    options.order = order;
     for (const CurvatureField& f : estimate_curvatures(balls, s.u, options, all_threads()))
       best = std::min(best, rms(f, s));
   }
@@ -123,10 +125,9 @@ TEST(OwnScales, GrowsWithTheNoise) {
 
 /// The mean of the sample is that of its order or of a lower one, made of some of its balls.
 bool is_mean_of_some_balls(const MeasureTree& balls, const Surface& s, std::size_t i, const CurvatureSample& sample) {
-  CurvatureOptions some;
-  for (some.order = 1; some.order <= sample.order; ++some.order) {
-    some.radii = order_radii(sample.radius, sample.order - some.order + 1);
-    for (const CurvatureField& f : estimate_curvatures(balls, {s.mesh.vertices[i]}, {s.u[i]}, some))
+  for (int order = 1; order <= sample.order; ++order) {
+    const BallPlan some{order_radii(sample.radius, sample.order - order + 1), order};
+    for (const CurvatureField& f : curvatures_in_balls(balls, {s.mesh.vertices[i]}, {s.u[i]}, some))
       if (std::abs(f.samples[0].k.mean - sample.k.mean) <= 1e-12) return true;
   }
   return false;
@@ -140,10 +141,8 @@ TEST(OwnScales, SamplesAreThoseOfTheirRadiusAndOrder) {
   const CurvatureField f = estimate_curvatures(balls, s.u, options)[0];
   for (std::size_t i = 0; i < f.samples.size(); i += 131) {
     const CurvatureSample& got = f.samples[i];
-    CurvatureOptions same;
-    same.radii = {got.radius};
-    same.order = got.order;
-    const CurvatureSample expected = estimate_curvatures(balls, {s.mesh.vertices[i]}, {s.u[i]}, same)[0].samples[0];
+    const BallPlan same{{got.radius}, got.order};
+    const CurvatureSample expected = curvatures_in_balls(balls, {s.mesh.vertices[i]}, {s.u[i]}, same)[0].samples[0];
     EXPECT_EQ(got.k.k_min, expected.k.k_min);
     EXPECT_EQ(got.k.k_max, expected.k.k_max);
     EXPECT_EQ(got.mu2, expected.mu2);
@@ -213,8 +212,8 @@ TEST(OwnScales, Refuses) {
   empty.vertices = s.mesh.vertices;
   EXPECT_THROW(estimate_at_own_scale(MeasureTree(triangles_of(empty, s.u)), s.u, BallDefinition::ExactDensity), Error);
   CurvatureOptions options;
-  options.scale = ScaleChoice::PerPoint;
-  EXPECT_THROW(estimate_curvatures(balls, s.mesh.vertices, s.u, options), Error) << "centres have no neighbours";
+  options.scale = ScaleChoice::Automatic;
+  EXPECT_THROW(estimate_curvatures(balls, s.u, options), OptionError) << "only a surface tells its radius";
 }
 
 /// At a given order the spread between orders is as large as the error where noise prevails, and not below it where
@@ -224,15 +223,16 @@ TEST(StdError, TracksTheErrorOfANoisyTorus) {
   const MeasureTree balls(triangles_of(s.mesh, s.u));
   CurvatureOptions options;
   options.radii = {0.6};
-  for (options.order = 2; options.order <= 3; ++options.order) {
+  for (const int order : {2, 3}) {
+    options.order = order;
     const CurvatureField f = estimate_curvatures(balls, s.u, options, all_threads())[0];
     const double ratio = rms_of_errors_told(f) / rms(f, s);
-    EXPECT_GT(ratio, 0.7) << options.order;
-    EXPECT_LT(ratio, 1.5) << options.order;
+    EXPECT_GT(ratio, 0.7) << order;
+    EXPECT_LT(ratio, 1.5) << order;
     std::size_t within = 0;
     for (std::size_t i = 0; i < f.samples.size(); ++i)
       if (std::abs(f.samples[i].k.k_max - s.k_max[i]) <= 2 * f.samples[i].std_error) ++within;
-    EXPECT_GT(static_cast<double>(within) / static_cast<double>(f.samples.size()), 0.7) << options.order;
+    EXPECT_GT(static_cast<double>(within) / static_cast<double>(f.samples.size()), 0.7) << order;
   }
 }
 

@@ -40,7 +40,7 @@ bool are_neighbours(const Adjacency& graph, Index a, Index b) {
 }
 
 TEST(Thinning, KeepsEverFewerPoints) {
-  const auto levels = thin(grid_graph(30, 40), all);
+  const auto levels = thin(grid_graph(30, 40), all, {});
   ASSERT_GT(levels.size(), 3u);
   EXPECT_EQ(levels[0].size(), 1200u);
   for (std::size_t l = 1; l < levels.size(); ++l) {
@@ -52,7 +52,7 @@ TEST(Thinning, KeepsEverFewerPoints) {
 
 TEST(Thinning, ClustersHoldTheirPointAndLieWithinReach) {
   const Adjacency graph = grid_graph(20, 20);
-  const auto levels = thin(graph, all);
+  const auto levels = thin(graph, all, {});
   for (const ThinnedGraph& level : levels) {
     ASSERT_EQ(level.cluster.size(), graph.size());
     for (std::size_t place = 0; place < level.size(); ++place)
@@ -70,7 +70,7 @@ TEST(Thinning, ClustersHoldTheirPointAndLieWithinReach) {
 
 TEST(Thinning, NeighboursAreClustersThatTouch) {
   const Adjacency graph = grid_graph(12, 17);
-  const auto levels = thin(graph, all);
+  const auto levels = thin(graph, all, {});
   const ThinnedGraph& level = levels[1];
   for (std::size_t a = 0; a < level.size(); ++a) {
     std::vector<Index> expected;
@@ -87,14 +87,14 @@ TEST(Thinning, NeighboursAreClustersThatTouch) {
 
 TEST(Thinning, PreferredPointsStandForTheOthers) {
   const auto second = [](std::size_t i) { return i == 1; };
-  EXPECT_EQ(thin(grid_graph(1, 3), all)[1].points, (std::vector<Index>{0, 2}));
-  EXPECT_EQ(thin(grid_graph(1, 3), second)[1].points, (std::vector<Index>{1}));
+  EXPECT_EQ(thin(grid_graph(1, 3), all, {})[1].points, (std::vector<Index>{0, 2}));
+  EXPECT_EQ(thin(grid_graph(1, 3), second, {})[1].points, (std::vector<Index>{1}));
 }
 
 TEST(Thinning, PointsAloneAreLeftAlone) {
   Adjacency lonely;
   lonely.offsets.assign(6, 0);
-  EXPECT_EQ(thin(lonely, all).size(), 1u);
+  EXPECT_EQ(thin(lonely, all, {}).size(), 1u);
 }
 
 TEST(Averaging, KeepsWhatIsConstantAndSpreadsWhatIsNot) {

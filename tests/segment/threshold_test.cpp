@@ -5,6 +5,7 @@
 #include <random>
 
 #include "kappa/core/error.hpp"
+#include "kappa/curvature/in_balls.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/segment/regions.hpp"
 #include "support/shapes.hpp"
@@ -21,7 +22,7 @@ struct Estimate {
 Estimate estimate(const Mesh& mesh, const Normals& u, double radius) {
   const BruteForceBallSum balls(triangles_of(mesh, u));
   Estimate e;
-  e.field = estimate_curvatures(balls, mesh.vertices, u, {radius}, BallDefinition::ExactDensity).front();
+  e.field = curvatures_in_balls(balls, mesh.vertices, u, {{radius}}).front();
   e.threshold =
       estimate_threshold(balls, mesh.vertices, u, e.field, BallDefinition::ExactDensity, median_edge_length(mesh));
   e.labels = classify(e.field, e.threshold);
@@ -75,9 +76,8 @@ TEST(Threshold, ScalesWithTheUnits) {
 
 TEST(Threshold, WorksAtRadiusZero) {
   const shapes::Shape torus = shapes::torus(3, 1, 40, 30);
-  const Triangles triangles = triangles_of(torus.mesh, torus.normals);
-  const CurvatureField field = curvatures_at_vertices(triangles, torus.normals, VertexLimit::Star);
-  const BruteForceBallSum balls(triangles);
+  const BruteForceBallSum balls(triangles_of(torus.mesh, torus.normals));
+  const CurvatureField field = curvatures_at_vertices(balls, torus.normals, VertexLimit::Star);
   const double threshold = estimate_threshold(balls, torus.mesh.vertices, torus.normals, field,
                                               BallDefinition::ExactDensity, median_edge_length(torus.mesh));
   EXPECT_GT(threshold, 0);

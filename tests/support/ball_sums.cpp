@@ -15,11 +15,12 @@ void add_absolute(const MeasureSum& m, MeasureSum& to) {
   for (std::size_t k = 0; k < m.mu_sym.size(); ++k) to.mu_sym[k] += std::abs(m.mu_sym[k]);
 }
 
-ScaledSum all_triangles(const Triangles& triangles, const Vec3& centre, double radius, BallDefinition ball) {
+ScaledSum all_triangles(const Triangles& triangles, const std::vector<MeasureSum>& measures, const Vec3& centre,
+                        double radius, BallDefinition ball) {
   ScaledSum s;
   for (std::size_t t = 0; t < triangles.size() && is_finite(centre); ++t) {
     BallMeasures one;
-    if (!add_triangle_in_ball(triangles, t, centre, radius, ball, one)) continue;
+    if (!add_triangle_in_ball(triangles, t, measures[t], centre, radius, ball, one)) continue;
     s.ball.sum += one.sum;
     ++s.ball.face_count;
     add_absolute(one.sum, s.scale);
@@ -53,9 +54,10 @@ std::vector<BallMeasures> sums(const BallSum& balls, const std::vector<Vec3>& ce
 
 std::vector<ScaledSum> brute_force(const Triangles& triangles, const std::vector<Vec3>& centres,
                                    const std::vector<double>& radii, BallDefinition ball) {
+  const std::vector<MeasureSum> measures = measure_triangles(triangles);
   std::vector<ScaledSum> out;
   for (const Vec3& centre : centres) {
-    for (const double radius : radii) out.push_back(all_triangles(triangles, centre, radius, ball));
+    for (const double radius : radii) out.push_back(all_triangles(triangles, measures, centre, radius, ball));
   }
   return out;
 }

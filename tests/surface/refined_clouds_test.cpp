@@ -29,11 +29,12 @@ TEST(RefinedClouds, AreAsGoodAsJetsAndStandSimulatedScans) {
     CurvatureOptions options;
     options.radii = {c.radius};
     options.order = 3;
-    options.refine = 2;
+    MeasureOptions measure;
+    measure.refine = 2;
     Execution run;
     run.threads = 0;
     const Mesh mesh = umbrella_surface(Vec3::Zero(), cloud.x, cloud.u, {}, run).mesh;
-    const CurvatureField field = estimate_curvatures(mesh, cloud.u, options, run)[0];
+    const CurvatureField field = estimate_curvatures(mesh, cloud.u, options, measure, run)[0];
     const auto rms = [&](double Curvatures::*value, double TrueCurvature::*truth) {
       double sum = 0;
       for (std::size_t i = 0; i < cloud.x.size(); ++i) {

@@ -46,7 +46,7 @@ std::string with_offset(std::string bytes, const Vec3& offset) {
 CurvatureField curvature(const Scan& scan) {
   const Surface s = make_surface(scan, {});
   const MeasureTree tree(triangles_of(s.mesh, s.u, QuadMeasures::Split));
-  return estimate_curvatures(tree, s.mesh.vertices, s.u, {4.0}, BallDefinition::ExactDensity).front();
+  return curvatures_in_balls(tree, s.mesh.vertices, s.u, {{4.0}}).front();
 }
 
 /// To 1e-6 of the largest value, and the same points without one.
@@ -85,8 +85,7 @@ TEST(ScanLaws, AScaleThatIsNoDecimalChangesNothingButTheSize) {
   const Scan scaled = test::scan_of("a.las", with_offset(bytes, Vec3(4e6, 5e6, 100)));
   const Surface s = make_surface(scaled, {});
   const MeasureTree tree(triangles_of(s.mesh, s.u, QuadMeasures::Split));
-  CurvatureField field =
-      estimate_curvatures(tree, s.mesh.vertices, s.u, {4 * 0.3048}, BallDefinition::ExactDensity).front();
+  CurvatureField field = curvatures_in_balls(tree, s.mesh.vertices, s.u, {{4 * 0.3048}}).front();
   for (CurvatureSample& sample : field.samples) {
     sample.k.mean *= 0.3048;
     sample.k.gaussian *= 0.3048 * 0.3048;
