@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/io/atomic.hpp"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -7,7 +9,6 @@
 #include <filesystem>
 
 #include "kappa/core/error.hpp"
-#include "kappa/io/write.hpp"
 
 namespace kappa {
 

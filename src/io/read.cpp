@@ -5,10 +5,16 @@
 #include <utility>
 
 #include "columns.hpp"
-#include "io/las/parse.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/scan/scan.hpp"
-#include "readers.hpp"
+#include "las/parse.hpp"
+#include "las/read.hpp"
+#include "obj/read.hpp"
+#include "off/read.hpp"
+#include "pcd/read.hpp"
+#include "ply/read.hpp"
+#include "stl/read.hpp"
+#include "text/read.hpp"
+#include "vtp/read.hpp"
 
 namespace kappa {
 

@@ -7,14 +7,19 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <ostream>
 #include <set>
 
 #include "file_bytes.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/scan/scan.hpp"
+#include "las/write.hpp"
+#include "pcd/write.hpp"
+#include "ply/write.hpp"
+#include "safe_name.hpp"
 #include "scalar.hpp"
-#include "writers.hpp"
+#include "stream.hpp"
+#include "text/write.hpp"
+#include "vtp/write.hpp"
 
 namespace kappa {
 
@@ -76,25 +81,12 @@ void check_scan(const Scan& scan) {
   }
 }
 
-/// Writes a file through a stream and reports what the stream could not do.
-void write_stream(const std::string& path, const std::function<void(std::ostream&)>& fill) {
-  write_atomically(path, [&](const std::string& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
-    errno = 0;
-    if (out) fill(out);
-    out.close();
-    if (out) return;
-    throw Error(ErrorCode::FileWrite,
-                "'" + path + "' cannot be written: " + (errno ? std::strerror(errno) : "the system gave no reason"));
-  });
-}
-
 }  // namespace
 
 void write_scan(const std::string& path, const Scan& scan, const Execution& run) {
   const Writer writer = writer_for(path);
   check_scan(scan);
-  write_stream(path, [&](std::ostream& out) { writer(out, scan, run); });
+  io::write_stream(path, [&](std::ostream& out) { writer(out, scan, run); });
   if (run.progress) run.progress(1.0);
 }
 
@@ -117,24 +109,6 @@ void check_writable(const std::string& path) {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
     throw Error(ErrorCode::FileWrite, "'" + path + "' cannot be written: " + std::strerror(errno));
   }
-}
-
-void write_regions(const std::string& path, const Segmentation& segmentation, const Vec3& origin) {
-  write_stream(path, [&](std::ostream& out) {
-    out << "region,label,points,area,border,mean_curvature,gaussian_curvature,centroid_x,centroid_y,centroid_z\n";
-    std::string line;
-    for (std::size_t i = 0; i < segmentation.table.size(); ++i) {
-      const Region& region = segmentation.table[i];
-      line = std::to_string(i + 1) + "," + label_name(region.label) + "," + std::to_string(region.points);
-      const Vec3 centroid = origin + region.centroid;
-      for (const double value : {region.area, region.border, region.mean_curvature, region.gaussian_curvature,
-                                 centroid.x(), centroid.y(), centroid.z()}) {
-        line += ',';
-        append_decimal(line, value);
-      }
-      out << line << '\n';
-    }
-  });
 }
 
 }  // namespace kappa

@@ -3,7 +3,6 @@
 
 #include "kappa/core/checks.hpp"
 #include "kappa/core/decimal.hpp"
-#include "kappa/scan/scan.hpp"
 
 namespace kappa {
 

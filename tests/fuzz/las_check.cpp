@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "io/columns.hpp"
-#include "io/readers.hpp"
-#include "io/writers.hpp"
+#include "io/las/read.hpp"
+#include "io/las/write.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/las/file.hpp"
 #include "kappa/scan/scan.hpp"

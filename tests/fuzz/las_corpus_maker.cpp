@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "io/columns.hpp"
+#include "io/las/read.hpp"
+#include "io/las/write.hpp"
 #include "io/las_files.hpp"
-#include "io/readers.hpp"
-#include "io/writers.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/scan/scan.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <csignal>
 
+#include "kappa/io/atomic.hpp"
 #include "kappa/scan/scan.hpp"
 #include "support.hpp"
 

@@ -156,15 +156,15 @@ TEST(LasHeader, EncodingBitsThatTheVersionDidNotDefineAreLeftOut) {
   }
 }
 
-CurvatureField some_curvatures(std::size_t points) {
-  CurvatureField field;
-  field.samples.resize(points);
-  for (std::size_t i = 0; i < points; ++i) {
-    CurvatureSample& sample = field.samples[i];
-    sample.k.mean = i == 0 ? kNaN : 1.0 / 3.0 / static_cast<double>(i);
-    sample.k.status = i == 0 ? PointStatus::Empty : PointStatus::Valid;
-  }
-  return field;
+/// Fields of the kinds that a measurement adds: reals without a value at some point, and small and large integers.
+std::vector<Field> some_curvatures(std::size_t points) {
+  std::vector<Field> fields = {{"mean_curvature", Field::Type::Float64, {}},
+                               {"face_count", Field::Type::UInt32, std::vector<double>(points, 70000)},
+                               {"status", Field::Type::UInt8, std::vector<double>(points, 0)}};
+  for (std::size_t i = 0; i < points; ++i)
+    fields[0].values.push_back(i == 0 ? kNaN : 1.0 / 3.0 / static_cast<double>(i));
+  fields[2].values[0] = 1;
+  return fields;
 }
 
 /// The scan with normals, curvatures, labels and regions.
@@ -172,7 +172,7 @@ Scan measured(Scan scan) {
   const std::size_t points = scan.points.size();
   scan.normals.assign(points, Vec3(0.6, 0, 0.8));
   scan.normals[0].setConstant(kNaN);
-  for (Field& field : curvature_fields(some_curvatures(points))) scan.fields.push_back(std::move(field));
+  for (Field& field : some_curvatures(points)) scan.fields.push_back(std::move(field));
   scan.fields.push_back({"label", Field::Type::UInt8, std::vector<double>(points, 6)});
   scan.fields.push_back({"region", Field::Type::UInt32, std::vector<double>(points, 4e9)});
   return scan;

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
-#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "kappa/core/execution.hpp"
-#include "kappa/curvature/estimate.hpp"
-#include "kappa/mesh/mesh.hpp"
 #include "kappa/scan/scan.hpp"
-#include "kappa/segment/regions.hpp"
 
 namespace kappa {
 
@@ -32,13 +27,5 @@ const std::vector<std::string>& writable_extensions();
 /// @throws Error FileWrite if write_scan would refuse `path` for its extension or its folder: to be
 /// called before a long computation.
 void check_writable(const std::string& path);
-
-/// Table of the regions as CSV: region label points area border mean_curvature gaussian_curvature
-/// centroid_x centroid_y centroid_z (in the coordinates of the file).
-void write_regions(const std::string& path, const Segmentation& segmentation, const Vec3& origin);
-
-/// Opens a temporary file beside `path`, lets `fill` write it, and renames it; removes it on any error.
-/// @throws Error FileWrite with the system's reason, or what `fill` throws.
-void write_atomically(const std::string& path, const std::function<void(const std::string& temporary)>& fill);
 
 }  // namespace kappa

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "coordinate_system.hpp"
 
-#include <optional>
-
-#include "kappa/io/las/file.hpp"
+#include <initializer_list>
+#include <string>
 
 #include "bytes.hpp"
 
-namespace kappa {
+namespace kappa::io {
 
 namespace {
-
-using io::kGeoKeys;
-using io::kWkt;
 
 // GeoTIFF: key of the kind of coordinates, and its values.
 constexpr std::uint16_t kModelType = 1024, kProjected = 1, kGeographic = 2, kGeocentric = 3;
@@ -35,7 +31,7 @@ std::optional<bool> geographic_by_wkt(const std::string& text) {
 std::optional<bool> geographic_by_keys(const std::string& keys) {
   std::optional<bool> by_system;
   for (std::size_t at = 8; at + 8 <= keys.size(); at += 8) {
-    const auto key = io::get<std::uint16_t>(keys, at), value = io::get<std::uint16_t>(keys, at + 6);
+    const auto key = get<std::uint16_t>(keys, at), value = get<std::uint16_t>(keys, at + 6);
     if (key == kModelType && (value == kProjected || value == kGeocentric)) return false;
     if (key == kModelType && value == kGeographic) return true;
     if (key == kProjectedSystem) by_system = false;
@@ -64,4 +60,4 @@ std::optional<bool> states_degrees(const LasFile& las) {
   return std::nullopt;
 }
 
-}  // namespace kappa
+}  // namespace kappa::io

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "io/writers.hpp"
+#include "io/safe_name.hpp"
 #include "kappa/scan/scan.hpp"
 #include "layout.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Units of length stated by the coordinate system of a LAS file.
+#include "length_units.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -8,9 +9,8 @@
 #include "bytes.hpp"
 #include "coordinate_system.hpp"
 #include "io/text.hpp"
-#include "kappa/io/las/file.hpp"
 
-namespace kappa {
+namespace kappa::io {
 
 namespace {
 
@@ -36,7 +36,7 @@ class WktUnits {
       if (c == '"') {
         skip_quoted();
       } else if (c == '[' || c == '(') {
-        open(io::trimmed(text_.substr(word, at_ - word)));
+        open(trimmed(text_.substr(word, at_ - word)));
       } else if (c == ']' || c == ')') {
         if (!nodes_.empty()) nodes_.pop_back();
       }
@@ -73,7 +73,7 @@ class WktUnits {
     if (comma == text_.npos) return kNaN;
     const std::size_t end = text_.find_first_of(",])", comma + 1);
     double value = kNaN;
-    io::parse_number(io::trimmed(text_.substr(comma + 1, end == text_.npos ? end : end - comma - 1)), value);
+    parse_number(trimmed(text_.substr(comma + 1, end == text_.npos ? end : end - comma - 1)), value);
     return value;
   }
 
@@ -103,16 +103,16 @@ std::optional<double> unit_of_code(unsigned code) {
 
 LengthUnits units_by_keys(const LasFile& las, const std::string& keys) {
   constexpr std::uint16_t kLinearUnits = 3076, kLinearUnitSize = 3077, kVerticalUnits = 4099;
-  const LasRecord* doubles = find_record(las, io::kGeoDoubles);
+  const LasRecord* doubles = find_record(las, kGeoDoubles);
   LengthUnits units;
   for (std::size_t at = 8; at + 8 <= keys.size(); at += 8) {
-    const auto key = io::get<std::uint16_t>(keys, at), place = io::get<std::uint16_t>(keys, at + 2),
-               value = io::get<std::uint16_t>(keys, at + 6);
+    const auto key = get<std::uint16_t>(keys, at), place = get<std::uint16_t>(keys, at + 2),
+               value = get<std::uint16_t>(keys, at + 6);
     if (key == kLinearUnits && place == 0 && !units.horizontal) units.horizontal = unit_of_code(value);
     if (key == kVerticalUnits && place == 0) units.vertical = unit_of_code(value);
     const std::size_t stored = std::size_t{8} * value;
-    if (key != kLinearUnitSize || place != io::kGeoDoubles || !doubles || stored + 8 > doubles->data.size()) continue;
-    const double metres = io::get_double(doubles->data, stored);
+    if (key != kLinearUnitSize || place != kGeoDoubles || !doubles || stored + 8 > doubles->data.size()) continue;
+    const double metres = get_double(doubles->data, stored);
     if (is_usable(metres)) units.horizontal = metres;
   }
   return units;
@@ -121,9 +121,9 @@ LengthUnits units_by_keys(const LasFile& las, const std::string& keys) {
 }  // namespace
 
 LengthUnits length_units(const LasFile& las) {
-  if (const LasRecord* wkt = find_record(las, io::kWkt)) return WktUnits(wkt->data).read();
-  if (const LasRecord* keys = find_record(las, io::kGeoKeys)) return units_by_keys(las, keys->data);
+  if (const LasRecord* wkt = find_record(las, kWkt)) return WktUnits(wkt->data).read();
+  if (const LasRecord* keys = find_record(las, kGeoKeys)) return units_by_keys(las, keys->data);
   return {};
 }
 
-}  // namespace kappa
+}  // namespace kappa::io

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "io/writers.hpp"
+#include "io/safe_name.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/scan/scan.hpp"
 #include "layout.hpp"

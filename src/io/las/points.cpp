@@ -4,13 +4,8 @@
 #include <algorithm>
 
 #include "bytes.hpp"
-#include "kappa/core/error.hpp"
-#include "kappa/core/gather.hpp"
-#include "kappa/scan/scan.hpp"
 
-namespace kappa {
-
-namespace io {
+namespace kappa::io {
 
 namespace {
 
@@ -56,30 +51,4 @@ LasGrid local_grid(const LasFile& las) {
   return grid;
 }
 
-}  // namespace io
-
-std::shared_ptr<const FileRecords> LasFile::picked(const std::vector<Index>& kept) const {
-  auto chosen = std::make_shared<LasFile>();
-  chosen->header = header;
-  chosen->format = format;
-  chosen->record_length = record_length;
-  chosen->scale = scale;
-  chosen->offset = offset;
-  chosen->records = records;
-  chosen->gap = gap;
-  chosen->extended = extended;
-  chosen->waveform = waveform;
-  chosen->points.reserve(kept.size() * record_length);
-  for (const Index i : kept) chosen->points.append(points, i * record_length, record_length);
-  return chosen;
-}
-
-const LasFile* las_of(const Scan& scan) {
-  return dynamic_cast<const LasFile*>(scan.records.get());
-}
-
-bool LasRecord::is(const std::string& user, std::uint16_t wanted) const {
-  return id == wanted && user_id.substr(0, user_id.find('\0')) == user;
-}
-
-}  // namespace kappa
+}  // namespace kappa::io

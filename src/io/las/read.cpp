@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "read.hpp"
+
 #include <algorithm>
 #include <cmath>
 
+#include "coordinate_system.hpp"
 #include "dimensions.hpp"
-#include "io/readers.hpp"
-#include "kappa/scan/scan.hpp"
+#include "length_units.hpp"
 #include "parse.hpp"
 #include "points.hpp"
 

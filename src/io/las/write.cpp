@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "write.hpp"
+
 // LAS 1.4: header, variable length records, points, extended records.
 #include <algorithm>
 #include <limits>
 
 #include "bytes.hpp"
-#include "io/writers.hpp"
+#include "io/row_loop.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/scan/scan.hpp"
 #include "layout.hpp"
 #include "output.hpp"
 #include "positions.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "read.hpp"
+
 #include <algorithm>
 
 #include "io/columns.hpp"
-#include "io/readers.hpp"
 #include "io/text.hpp"
-#include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 

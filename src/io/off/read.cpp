@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "read.hpp"
+
 #include "io/columns.hpp"
-#include "io/readers.hpp"
 #include "io/text.hpp"
-#include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "read.hpp"
+
 #include <cmath>
 #include <cstring>
 
 #include "header.hpp"
 #include "io/columns.hpp"
-#include "io/readers.hpp"
 #include "io/text.hpp"
-#include "kappa/scan/scan.hpp"
 #include "lzf.hpp"
 
 namespace kappa::io {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "read.hpp"
+
 #include <array>
 #include <cstring>
 #include <unordered_map>
 
 #include "io/columns.hpp"
-#include "io/readers.hpp"
 #include "io/scalar.hpp"
 #include "io/text.hpp"
-#include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "read.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "io/columns.hpp"
-#include "io/readers.hpp"
 #include "io/scalar.hpp"
 #include "io/text.hpp"
-#include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 

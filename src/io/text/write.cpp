@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <charconv>
-#include <cmath>
+#include "write.hpp"
 
-#include "io/writers.hpp"
+#include <string>
+
+#include "io/coordinate.hpp"
+#include "io/row_loop.hpp"
+#include "io/safe_name.hpp"
 #include "kappa/core/decimal.hpp"
-#include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
-
-std::string safe_name(const std::string& name) {
-  std::string safe = name;
-  for (char& c : safe) {
-    const bool separates = static_cast<unsigned char>(c) <= 0x20 || c == ',' || c == ';' || c == '"' || c == 0x7f;
-    if (separates) c = '_';
-  }
-  return safe;
-}
 
 void write_csv(std::ostream& out, const Scan& scan, const Execution& run) {
   std::string line = scan.normals.empty() ? "x,y,z" : "x,y,z,nx,ny,nz";

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "read.hpp"
+
 #include "file.hpp"
 #include "io/columns.hpp"
-#include "io/readers.hpp"
 #include "io/text.hpp"
-#include "kappa/scan/scan.hpp"
 #include "names.hpp"
+#include "values.hpp"
 
 namespace kappa::io {
 

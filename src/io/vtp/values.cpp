@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "values.hpp"
+
 #include <zlib.h>
 
-#include "file.hpp"
 #include "io/text.hpp"
 
 namespace kappa::io {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "write.hpp"
+
 #include <functional>
 
+#include "io/coordinate.hpp"
+#include "io/row_loop.hpp"
 #include "io/scalar.hpp"
-#include "io/writers.hpp"
-#include "kappa/scan/scan.hpp"
 #include "names.hpp"
 #include "xml.hpp"
 

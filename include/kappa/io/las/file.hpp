@@ -42,11 +42,4 @@ struct LasFile final : FileRecords {
 /// The LAS file that a scan came from, null if it came from none.
 const LasFile* las_of(const Scan& scan);
 
-/// The units that the coordinate system of a LAS file states: a projected and a vertical one in WKT (1 or 2), else the
-/// linear and vertical units of its GeoTIFF keys.
-LengthUnits length_units(const LasFile& las);
-
-/// Whether the coordinate system of a LAS file (WKT, else GeoTIFF keys) states degrees; nothing where it is silent.
-std::optional<bool> states_degrees(const LasFile& las);
-
 }  // namespace kappa

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The fields of the output and the table of regions.
-#include "kappa/scan/scan.hpp"
-#include "support.hpp"
+#include "kappa/pipeline/fields.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kappa/core/error.hpp"
 
 namespace kappa {
 namespace {
@@ -58,9 +62,6 @@ Segmentation two_regions() {
   Segmentation s;
   s.labels = {Label::Convex, Label::Undefined, Label::ConcaveCylinder};
   s.regions = {1, 0, 2};
-  s.table.resize(2);
-  s.table[0] = {Label::Convex, 1, 2.5, 0.1, Vec3(0.25, 0, 0), 1.5, kNaN};
-  s.table[1] = {Label::ConcaveCylinder, 1, 1.0, 0.1, Vec3(0, 0, -1), -2, 0};
   return s;
 }
 
@@ -71,15 +72,6 @@ TEST(SegmentFields, AreLabelAndRegion) {
   EXPECT_EQ(fields[0].values, (std::vector<double>{2, 0, 6}));
   EXPECT_EQ(fields[1].name, "region");
   EXPECT_EQ(fields[1].values, (std::vector<double>{1, 0, 2}));
-}
-
-TEST(WriteRegions, GivesCentroidsInTheCoordinatesOfTheFile) {
-  const test::TemporaryFolder folder;
-  write_regions(folder.file("regions.csv"), two_regions(), Vec3(500000, 5400000, 100));
-  EXPECT_EQ(test::content_of(folder.file("regions.csv")),
-            "region,label,points,area,border,mean_curvature,gaussian_curvature,centroid_x,centroid_y,centroid_z\n"
-            "1,convex,1,2.5,0.1,1.5,nan,500000.25,5400000,100\n"
-            "2,concave cylinder,1,1,0.1,-2,0,500000,5400000,99\n");
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/file_bytes.hpp"
+#include "kappa/scan/scan.hpp"
+
+namespace kappa::io {
+
+/// Points come relative to a local origin already, lest they lose digits.
+Scan read_las(const FileBytes& file);
+
+}  // namespace kappa::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ostream>
+
+#include "kappa/core/execution.hpp"
+#include "kappa/scan/scan.hpp"
+
+namespace kappa::io {
+
+/// The stream must be able to seek.
+void write_las(std::ostream& out, const Scan& scan, const Execution& run);
+
+}  // namespace kappa::io

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/file_bytes.hpp"
+#include "kappa/scan/scan.hpp"
+
+namespace kappa::io {
+
+Scan read_off(const FileBytes& file);
+
+}  // namespace kappa::io
