@@ -6,7 +6,7 @@
 #include <set>
 
 #include "file_bytes.hpp"
-#include "kappa/scan/scan.hpp"
+#include "pace.hpp"
 #include "text.hpp"
 
 namespace kappa::io {
@@ -37,11 +37,10 @@ bool complete(const Triple& t) {
   return t[0] != kNone && t[1] != kNone && t[2] != kNone;
 }
 
-std::vector<Vec3> gather(const std::vector<Field>& columns, const Triple& t) {
+std::vector<Vec3> gather(const std::vector<Field>& columns, const Triple& t, const Execution& run) {
   std::vector<Vec3> vectors(columns[t[0]].values.size());
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    vectors[i] = Vec3(columns[t[0]].values[i], columns[t[1]].values[i], columns[t[2]].values[i]);
-  }
+  const double *x = columns[t[0]].values.data(), *y = columns[t[1]].values.data(), *z = columns[t[2]].values.data();
+  for_each_row(vectors.size(), run, [&](std::size_t i) { vectors[i] = Vec3(x[i], y[i], z[i]); });
   return vectors;
 }
 
@@ -64,14 +63,14 @@ Triple find_position(const std::string& path, const std::vector<Field>& columns)
 
 }  // namespace
 
-Scan scan_from_columns(const std::string& path, std::vector<Field> columns) {
+Scan scan_from_columns(const std::string& path, std::vector<Field> columns, const Execution& run) {
   check_names(path, columns);
   const Triple position = find_position(path, columns);
   Triple normal = find_triple(columns, {"nx", "ny", "nz"});
   if (!complete(normal)) normal = find_triple(columns, {"normal_x", "normal_y", "normal_z"});
   Scan scan;
-  scan.points = gather(columns, position);
-  if (complete(normal)) scan.normals = gather(columns, normal);
+  scan.points = gather(columns, position, stage(run, 0.0, 0.5));
+  if (complete(normal)) scan.normals = gather(columns, normal, stage(run, 0.5, 1.0));
   const auto in = [](const Triple& t, std::size_t i) { return std::find(t.begin(), t.end(), i) != t.end(); };
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (in(position, i) || (complete(normal) && in(normal, i))) continue;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kappa/mesh/mesh.hpp"
+#include "kappa/core/execution.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
@@ -12,7 +12,7 @@ namespace kappa::io {
 /// Makes a scan of named columns of equal length: x y z (in any case) become the points, nx ny nz or
 /// normal_x normal_y normal_z the normals, all others fields. Points are still relative to 0.
 /// @throws Error FileFormat if a coordinate is missing or a name stands twice.
-Scan scan_from_columns(const std::string& path, std::vector<Field> columns);
+Scan scan_from_columns(const std::string& path, std::vector<Field> columns, const Execution& run);
 
 /// Last step of every reader: width, height and local origin.
 /// @throws Error FileFormat if there is no point, or none that is finite.

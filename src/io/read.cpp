@@ -10,6 +10,7 @@
 #include "las/read.hpp"
 #include "obj/read.hpp"
 #include "off/read.hpp"
+#include "pace.hpp"
 #include "pcd/read.hpp"
 #include "ply/read.hpp"
 #include "stl/read.hpp"
@@ -20,7 +21,7 @@ namespace kappa {
 
 namespace {
 
-using Reader = Scan (*)(const io::FileBytes&);
+using Reader = Scan (*)(const io::FileBytes&, const Execution&);
 
 const std::vector<std::pair<std::string, Reader>>& readers() {
   static const std::vector<std::pair<std::string, Reader>> table = {
@@ -47,22 +48,26 @@ std::string remedy(const std::string& extension, const std::string& path) {
 
 }  // namespace
 
-Scan read_scan(const std::string& path) {
+Scan read_scan(const std::string& path, const Execution& run) {
   const std::string extension = io::extension_of(path);
   const auto& table = readers();
   const auto reader = std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.first == extension; });
   io::check_file(path);
   if (reader == table.end()) io::refuse(path, remedy(extension, path));
+  io::begin_progress(run);
   const io::FileBytes file = io::load_file(path);
   if (file.bytes.empty()) io::refuse(path, "is empty: there is nothing to measure");
-  Scan scan = reader->second(file);
+  Scan scan = reader->second(file, stage(run, 0.0, 0.95));
   io::check_unchanged(file);
+  check_cancelled(run);
   io::finish(path, scan);
+  check_cancelled(run);
+  io::end_progress(run);
   return scan;
 }
 
-Mesh read_mesh(const std::string& path) {
-  const Scan scan = read_scan(path);
+Mesh read_mesh(const std::string& path, const Execution& run) {
+  const Scan scan = read_scan(path, run);
   if (!scan.is_mesh()) {
     throw Error(ErrorCode::InvalidData, "'" + path + "' is a cloud, without faces: triangulate it first");
   }

@@ -11,8 +11,10 @@
 #include <set>
 
 #include "file_bytes.hpp"
+#include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
 #include "las/write.hpp"
+#include "pace.hpp"
 #include "pcd/write.hpp"
 #include "ply/write.hpp"
 #include "safe_name.hpp"
@@ -42,20 +44,14 @@ Writer writer_for(const std::string& path) {
               "'" + path + "': files of extension '" + extension + "' are not written: use one of " + known);
 }
 
-void check_size(const std::string& what, std::size_t size, std::size_t points) {
-  if (size == points) return;
-  throw Error(ErrorCode::InvalidArgument, what + " has " + std::to_string(size) + " values for " +
-                                              std::to_string(points) + " points: give one a point");
-}
-
-void check_field(const Field& field, std::size_t points) {
-  check_size("field '" + field.name + "'", field.values.size(), points);
+void check_field(const Field& field, std::size_t points, const Execution& run) {
+  check_one_each(field.values.size(), "'" + field.name + "' value", points, "point");
   if (field.type == Field::Type::Float64) return;
-  const auto wrong = std::find_if(field.values.begin(), field.values.end(),
-                                  [&](double value) { return !io::fits(value, field.type); });
-  if (wrong == field.values.end()) return;
-  throw Error(ErrorCode::InvalidArgument, "field '" + field.name + "' holds " + std::to_string(*wrong) +
-                                              ", which is not of its type " + io::type_name(field.type));
+  io::for_each_row(points, run, [&](std::size_t i) {
+    if (io::fits(field.values[i], field.type)) return;
+    throw Error(ErrorCode::InvalidArgument, "field '" + field.name + "' holds " + std::to_string(field.values[i]) +
+                                                ", which is not of its type " + io::type_name(field.type));
+  });
 }
 
 void check_names(const Scan& scan) {
@@ -67,27 +63,33 @@ void check_names(const Scan& scan) {
   }
 }
 
-void check_scan(const Scan& scan) {
+void check_faces(const Scan& scan, const Execution& run) {
+  const std::vector<Index>& corners = scan.faces.corners();
   const std::size_t points = scan.points.size();
-  if (!scan.normals.empty()) check_size("the list of normals", scan.normals.size(), points);
-  for (const Field& field : scan.fields) check_field(field, points);
+  io::for_each_row(corners.size(), run, [&](std::size_t c) {
+    if (corners[c] < points) return;
+    throw Error(ErrorCode::InvalidArgument, "a face has vertex " + std::to_string(corners[c]) + " of " +
+                                                std::to_string(points) + ": indices must be below that");
+  });
+}
+
+void check_scan(const Scan& scan, const Execution& run) {
+  const std::size_t points = scan.points.size();
+  if (!scan.normals.empty()) check_one_each(scan.normals.size(), "normal", points, "point");
+  for (const Field& field : scan.fields) check_field(field, points, run);
   check_names(scan);
-  if (scan.is_organised()) check_size("a grid of width x height", scan.width * scan.height, points);
-  for (const Index corner : scan.faces.corners()) {
-    if (corner >= points) {
-      throw Error(ErrorCode::InvalidArgument, "a face has vertex " + std::to_string(corner) + " of " +
-                                                  std::to_string(points) + ": indices must be below that");
-    }
-  }
+  if (scan.is_organised()) check_one_each(scan.width * scan.height, "grid cell", points, "point");
+  check_faces(scan, run);
 }
 
 }  // namespace
 
 void write_scan(const std::string& path, const Scan& scan, const Execution& run) {
   const Writer writer = writer_for(path);
-  check_scan(scan);
-  io::write_stream(path, [&](std::ostream& out) { writer(out, scan, run); });
-  if (run.progress) run.progress(1.0);
+  io::begin_progress(run);
+  check_scan(scan, io::silent(run));
+  io::write_stream(path, run, [&](std::ostream& out) { writer(out, scan, stage(run, 0.0, 0.99)); });
+  io::end_progress(run);
 }
 
 const std::vector<std::string>& writable_extensions() {

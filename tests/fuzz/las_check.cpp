@@ -25,7 +25,7 @@ void require(bool condition, const char* what) {
 
 Scan read(const std::string& bytes) {
   const io::FileBytes file{"fuzz.las", bytes};
-  Scan scan = io::read_las(file);
+  Scan scan = io::read_las(file, {});
   io::finish(file.path, scan);
   return scan;
 }

@@ -25,7 +25,7 @@ void save(const std::filesystem::path& file, const std::string& bytes) {
 /// A file of LAS 1.4 that our writer makes of one of the matrix.
 std::string rewritten(const std::string& bytes) {
   const kappa::io::FileBytes file{"corpus", bytes};
-  kappa::Scan scan = kappa::io::read_las(file);
+  kappa::Scan scan = kappa::io::read_las(file, {});
   kappa::io::finish(file.path, scan);
   scan.fields.push_back({"label", kappa::Field::Type::UInt8, std::vector<double>(scan.points.size(), 3)});
   std::ostringstream out;

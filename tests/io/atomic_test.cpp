@@ -117,10 +117,10 @@ TEST(WriteScan, RefusesWhatNoFileCanHold) {
   };
   Scan scan = cloud(2);
   scan.normals = {Vec3::UnitX()};
-  refuses(scan, "normals has 1 values for 2 points");
+  refuses(scan, "1 normals for 2 points: give one a point");
   scan = cloud(2);
   scan.fields = {{"a", Field::Type::Float64, {1}}};
-  refuses(scan, "field 'a' has 1 values for 2 points");
+  refuses(scan, "1 'a' values for 2 points: give one a point");
   scan.fields = {{"label", Field::Type::UInt8, {1, kNaN}}};
   refuses(scan, "not of its type uint8");
   scan.fields = {{"label", Field::Type::UInt16, {1, 65536}}};

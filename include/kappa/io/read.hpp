@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kappa/core/execution.hpp"
 #include "kappa/mesh/mesh.hpp"
 #include "kappa/scan/scan.hpp"
 
@@ -21,11 +22,11 @@ namespace kappa {
 /// vertices of .stl are merged. Text and VTK files written by `write_scan` come back as they were.
 /// @throws Error FileNotFound, or FileFormat with the name of the file, what is wrong with it (with
 /// line or byte where known) and the remedy. Never a partial result.
-Scan read_scan(const std::string& path);
+Scan read_scan(const std::string& path, const Execution& run = {});
 
 /// The same for a file that must have faces.
 /// @throws Error InvalidData if it has none.
-Mesh read_mesh(const std::string& path);
+Mesh read_mesh(const std::string& path, const Execution& run = {});
 
 /// Extensions that read_scan knows, lower case with the dot.
 const std::vector<std::string>& readable_extensions();

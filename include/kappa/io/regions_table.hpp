@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "kappa/core/execution.hpp"
 #include "kappa/core/types.hpp"
 #include "kappa/segment/regions.hpp"
 
@@ -10,6 +11,7 @@ namespace kappa {
 
 /// Table of the regions as CSV: region label points area border mean_curvature gaussian_curvature
 /// centroid_x centroid_y centroid_z (in the coordinates of the file).
-void write_regions(const std::string& path, const Segmentation& segmentation, const Vec3& origin);
+void write_regions(const std::string& path, const Segmentation& segmentation, const Vec3& origin,
+                   const Execution& run = {});
 
 }  // namespace kappa

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "io/pace.hpp"
 #include "io/safe_name.hpp"
 #include "kappa/scan/scan.hpp"
 #include "layout.hpp"
@@ -111,10 +112,10 @@ std::set<std::string> reserved_names(const std::set<std::string>& present) {
   return names;
 }
 
-void make_unique(const LasFile& las, Dimensions& standard, Dimensions& extra) {
+void make_unique(const LasFile& las, Dimensions& standard, Dimensions& extra, const Execution& run) {
   std::set<std::string> present;
   for (const LasDimension& d : extra) present.insert(d.name);
-  const auto gives_way = [&](const LasDimension& d) { return present.count(d.name) != 0 && !is_used(las, d); };
+  const auto gives_way = [&](const LasDimension& d) { return present.count(d.name) != 0 && !is_used(las, d, run); };
   standard.erase(std::remove_if(standard.begin(), standard.end(), gives_way), standard.end());
   std::set<std::string> names = reserved_names(present);
   for (const LasDimension& d : standard) names.insert(d.name);
@@ -174,10 +175,10 @@ Dimensions standard_dimensions(int format) {
   return d;
 }
 
-Dimensions dimensions_of(const std::string& path, const LasFile& las) {
+Dimensions dimensions_of(const std::string& path, const LasFile& las, const Execution& run) {
   Dimensions standard = standard_dimensions(las.format);
   Dimensions extra = described_dimensions(parse_extra_bytes(path, las), las::point_size(las.format));
-  if (!extra.empty()) make_unique(las, standard, extra);
+  if (!extra.empty()) make_unique(las, standard, extra, run);
   standard.insert(standard.end(), std::make_move_iterator(extra.begin()), std::make_move_iterator(extra.end()));
   return standard;
 }
@@ -198,11 +199,9 @@ double load(const char* record, const LasDimension& d) {
   return d.scale == 1 && d.shift == 0 ? stored : stored * d.scale + d.shift;
 }
 
-bool is_used(const LasFile& las, const LasDimension& d) {
-  for (std::size_t at = 0; at < las.points.size(); at += las.record_length) {
-    if (load(las.points.data() + at, d) != 0) return true;
-  }
-  return false;
+bool is_used(const LasFile& las, const LasDimension& d, const Execution& run) {
+  const char* const points = las.points.data();
+  return any_row(las.point_count(), run, [&](std::size_t i) { return load(points + i * las.record_length, d) != 0; });
 }
 
 bool store(char* record, const LasDimension& d, double value) {

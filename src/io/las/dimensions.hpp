@@ -7,6 +7,7 @@
 
 #include "extra_bytes.hpp"
 #include "io/scalar.hpp"
+#include "kappa/core/execution.hpp"
 #include "kappa/io/las/file.hpp"
 #include "kappa/scan/scan.hpp"
 
@@ -34,7 +35,7 @@ std::vector<LasDimension> standard_dimensions(int format);
 /// extra bytes called as a standard attribute take its name if that is 0 at every point, else their
 /// name is followed by "_extra".
 /// @throws Error FileFormat as parse_extra_bytes.
-std::vector<LasDimension> dimensions_of(const std::string& path, const LasFile& las);
+std::vector<LasDimension> dimensions_of(const std::string& path, const LasFile& las, const Execution& run);
 
 /// Where an attribute called `name` that needs `type` is put behind the others.
 LasDimension extra_dimension(const std::string& name, Scalar type, std::size_t offset);
@@ -43,7 +44,7 @@ LasDimension extra_dimension(const std::string& name, Scalar type, std::size_t o
 double load(const char* record, const LasDimension& dimension);
 
 /// Whether some point has anything but 0 there.
-bool is_used(const LasFile& las, const LasDimension& dimension);
+bool is_used(const LasFile& las, const LasDimension& dimension, const Execution& run);
 
 /// Puts the value in the record; false, and nothing done, if the attribute cannot hold it.
 bool store(char* record, const LasDimension& dimension, double value);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "io/pace.hpp"
 #include "io/safe_name.hpp"
 #include "kappa/core/error.hpp"
-#include "kappa/scan/scan.hpp"
 #include "layout.hpp"
 #include "positions.hpp"
 
@@ -27,20 +27,21 @@ const LasDimension* find(const std::vector<LasDimension>& dimensions, const std:
 }
 
 /// Whether the attribute holds all values of the field as they are.
-bool holds(const LasDimension& dimension, const Field& field, std::string record) {
-  return std::all_of(field.values.begin(), field.values.end(), [&](double value) {
-    return store(record.data(), dimension, value) && same(load(record.data(), dimension), value);
+bool holds(const LasDimension& dimension, const Field& field, std::string record, const Execution& run) {
+  return !any_row(field.values.size(), run, [&](std::size_t i) {
+    const double value = field.values[i];
+    return !(store(record.data(), dimension, value) && same(load(record.data(), dimension), value));
   });
 }
 
 /// The format that has places for the colours of the scan.
-int choose_format(const Scan& scan) {
+int choose_format(const Scan& scan, const Execution& run) {
   constexpr int kPlain = 6, kColour = 7, kInfrared = 8;
   const std::vector<LasDimension> all = standard_dimensions(kInfrared);
   const std::string record(las::point_size(kInfrared), '\0');
   const auto has = [&](const char* name) {
     const Field* field = scan.field(name);
-    return field && holds(*find(all, name), *field, record);
+    return field && holds(*find(all, name), *field, record, run);
   };
   if (!has("red") || !has("green") || !has("blue")) return kPlain;
   return has("nir") ? kInfrared : kColour;
@@ -58,7 +59,7 @@ std::string blank_record(const Scan& scan, int format) {
 /// Builds the output of one scan.
 class Planner {
  public:
-  explicit Planner(const Scan& scan) : scan_(scan) {}
+  Planner(const Scan& scan, const Execution& run) : scan_(scan), run_(run) {}
 
   LasOutput plan() {
     if (las_) {
@@ -66,8 +67,9 @@ class Planner {
     } else {
       make_frame();
     }
-    for (const Field& field : scan_.fields) place(field);
-    for (int axis = 0; axis < 3 && !scan_.normals.empty(); ++axis) place_normals(axis);
+    const std::size_t fields = scan_.fields.size(), axes = scan_.normals.empty() ? 0 : 3;
+    for (std::size_t k = 0; k < fields; ++k) place(scan_.fields[k], part(run_, k, fields + axes));
+    for (std::size_t k = 0; k < axes; ++k) place_normals(static_cast<int>(k), part(run_, fields + k, fields + axes));
     if (!descriptors_.empty()) describe();
     return std::move(out_);
   }
@@ -83,54 +85,54 @@ class Planner {
     out_.frame.gap = source.gap;
     out_.frame.extended = source.extended;
     out_.frame.waveform = source.waveform;
-    known_ = dimensions_of("LAS output", source);
+    known_ = dimensions_of("LAS output", source, silent(run_));
   }
 
   void make_frame() {
-    out_.frame.format = choose_format(scan_);
+    out_.frame.format = choose_format(scan_, silent(run_));
     out_.frame.record_length = las::point_size(out_.frame.format);
-    choose_grid(scan_, out_.frame);
+    choose_grid(scan_, out_.frame, silent(run_));
     known_ = standard_dimensions(out_.frame.format);
     out_.blank = blank_record(scan_, out_.frame.format);
   }
 
-  void place(const Field& field) {
+  void place(const Field& field, const Execution& run) {
     const LasDimension* known = find(known_, safe_name(field.name));
-    if (known && !las_ && !holds(*known, field, out_.blank)) known = nullptr;
-    add(known, field.name, scalar_of(field.type), {&field, 0, {}});
+    if (known && !las_ && !holds(*known, field, out_.blank, run)) known = nullptr;
+    add(known, field.name, scalar_of(field.type), {&field, 0, {}}, run);
   }
 
-  void place_normals(int axis) {
+  void place_normals(int axis, const Execution& run) {
     const std::string name = std::string("n") + kAxes[axis];
-    add(find(known_, name), name, Scalar::Float64, {nullptr, axis, {}});
+    add(find(known_, name), name, Scalar::Float64, {nullptr, axis, {}}, run);
   }
 
-  void add(const LasDimension* known, const std::string& name, Scalar type, LasColumn column) {
+  void add(const LasDimension* known, const std::string& name, Scalar type, LasColumn column, const Execution& run) {
     if (!known) {
       column.dimension = append(safe_name(name), type);
     } else {
       column.dimension = *known;
-      if (las_ && !changes(column, name)) return;
+      if (las_ && !changes(column, name, run)) return;
       if (known->descriptor) forget_range(*extra_bytes_record(out_.frame), *known->descriptor);
     }
     out_.columns.push_back(std::move(column));
   }
 
   /// Whether the values differ from those of the source, which must be able to hold them.
-  bool changes(const LasColumn& column, const std::string& name) const {
+  bool changes(const LasColumn& column, const std::string& name, const Execution& run) const {
     bool changed = false;
     const LasFile& source = *las_;
     std::string record(source.record_length, '\0');
-    for (std::size_t i = 0; i < scan_.points.size(); ++i) {
+    for_each_row(scan_.points.size(), run, [&](std::size_t i) {
       const double value = column.value(scan_, i);
-      if (same(load(source.points.data() + i * source.record_length, column.dimension), value)) continue;
+      if (same(load(source.points.data() + i * source.record_length, column.dimension), value)) return;
       changed = true;
-      if (store(record.data(), column.dimension, value)) continue;
+      if (store(record.data(), column.dimension, value)) return;
       throw Error(ErrorCode::InvalidArgument, "field '" + name + "' holds " + std::to_string(value) + " at point " +
                                                   std::to_string(i) +
                                                   ", which the attribute of that name of its LAS file cannot hold: "
                                                   "rename the field");
-    }
+    });
     return changed;
   }
 
@@ -175,6 +177,7 @@ class Planner {
   }
 
   const Scan& scan_;
+  const Execution& run_;
   const LasFile* const las_ = las_of(scan_);  ///< that the scan came from, if any
   LasOutput out_;
   std::vector<LasDimension> known_;  ///< attributes that the records have without further ones
@@ -183,8 +186,8 @@ class Planner {
 
 }  // namespace
 
-LasOutput plan_las(const Scan& scan) {
-  return Planner(scan).plan();
+LasOutput plan_las(const Scan& scan, const Execution& run) {
+  return Planner(scan, run).plan();
 }
 
 }  // namespace kappa::io

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dimensions.hpp"
+#include "kappa/core/execution.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
@@ -29,6 +30,6 @@ struct LasOutput {
 
 /// @throws Error InvalidArgument if a name or the number of fields is more than LAS can hold, or an
 /// attribute of the source cannot hold a value that a field of its name has.
-LasOutput plan_las(const Scan& scan);
+LasOutput plan_las(const Scan& scan, const Execution& run);
 
 }  // namespace kappa::io

@@ -6,6 +6,7 @@
 
 #include "bytes.hpp"
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/text.hpp"
 #include "layout.hpp"
 
@@ -111,16 +112,18 @@ Contents parse_contents(const FileBytes& file) {
 }
 
 /// In parts, each given back when it has been copied: so the file is not in memory twice.
-void copy_points(const FileBytes& file, const Contents& c, std::string& points) {
+void copy_points(const FileBytes& file, const Contents& c, std::string& points, const Execution& run) {
   constexpr std::size_t kPart = std::size_t{1} << 24;
   points.reserve(c.points_end - c.points_start);
+  Pace pace(run, c.points_end - c.points_start, kPart);
   for (std::size_t at = c.points_start; at < c.points_end; at += kPart) {
     points += file.bytes.substr(at, std::min(kPart, c.points_end - at));
     file.done_before(at);
+    pace.at(points.size());
   }
 }
 
-void parse_points(const FileBytes& file, Contents& c, LasFile& las) {
+void parse_points(const FileBytes& file, Contents& c, LasFile& las, const Execution& run) {
   const std::size_t held = file.bytes.size() - c.points_start;
   if (c.points > held / las.record_length) {
     refuse(file.path, "promises " + text_of(c.points) + " points of " + text_of(las.record_length) +
@@ -129,7 +132,7 @@ void parse_points(const FileBytes& file, Contents& c, LasFile& las) {
   }
   check_count(file.path, c.points);
   c.points_end = c.points_start + c.points * las.record_length;
-  copy_points(file, c, las.points);
+  copy_points(file, c, las.points, run);
 }
 
 /// The record that begins at `at`, moved behind it; refused if it does not end before `end`.
@@ -156,12 +159,12 @@ LasRecord parse_record(const FileBytes& file, std::size_t header_size, std::size
   return record;
 }
 
-void parse_records(const FileBytes& file, const Contents& c, LasFile& las) {
+void parse_records(const FileBytes& file, const Contents& c, LasFile& las, const Execution& run) {
   std::size_t at = c.header_size;
-  for (std::uint64_t i = 0; i < c.records; ++i) {
+  for_each_row(c.records, run, [&](std::uint64_t i) {
     const std::string name = "variable length record " + text_of(i + 1) + " of " + text_of(c.records);
     las.records.push_back(parse_record(file, las::kRecordHeader, at, c.points_start, name));
-  }
+  });
   las.gap = file.bytes.substr(at, c.points_start - at);
 }
 
@@ -172,14 +175,14 @@ std::size_t after_points(const FileBytes& file, const Contents& c, std::uint64_t
                         ") and that of the file (" + text_of(file.bytes.size()) + ")" + kDamaged);
 }
 
-void parse_extended(const FileBytes& file, const Contents& c, LasFile& las) {
+void parse_extended(const FileBytes& file, const Contents& c, LasFile& las, const Execution& run) {
   if (c.extended == 0) return;
   std::size_t at = after_points(file, c, c.extended_start, "the extended variable length records");
-  for (std::uint64_t i = 0; i < c.extended; ++i) {
+  for_each_row(c.extended, run, [&](std::uint64_t i) {
     if (at == c.waveform_start) las.waveform = i;
     const std::string name = "extended variable length record " + text_of(i + 1) + " of " + text_of(c.extended);
     las.extended.push_back(parse_record(file, las::kExtendedHeader, at, file.bytes.size(), name));
-  }
+  });
 }
 
 /// The waveform packets, which LAS 1.3 has in a record that no count speaks of.
@@ -193,16 +196,16 @@ void parse_waveform(const FileBytes& file, const Contents& c, LasFile& las) {
 
 }  // namespace
 
-LasFile parse_las(const FileBytes& file) {
+LasFile parse_las(const FileBytes& file, const Execution& run) {
   check_kind(file);
   LasFile las;
   parse_point_format(file, las);
   Contents contents = parse_contents(file);
   parse_grid(file, las);
   las.header = file.bytes.substr(0, contents.header_size);
-  parse_records(file, contents, las);
-  parse_points(file, contents, las);
-  parse_extended(file, contents, las);
+  parse_records(file, contents, las, silent(run));
+  parse_points(file, contents, las, run);
+  parse_extended(file, contents, las, silent(run));
   parse_waveform(file, contents, las);
   return las;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bytes.hpp"
+#include "io/pace.hpp"
 
 namespace kappa::io {
 
@@ -26,21 +27,20 @@ LasPosition stored_position(const LasFile& las, std::size_t point) {
   return {get_int32(las.points, at), get_int32(las.points, at + 4), get_int32(las.points, at + 8)};
 }
 
-LasRange range_of(const LasFile& las) {
+LasRange range_of(const LasFile& las, const Execution& run) {
   LasRange range;
-  for (std::size_t i = 0; i < las.point_count(); ++i) {
+  for_each_row(las.point_count(), run, [&](std::size_t i) {
     const LasPosition p = stored_position(las, i);
     if (i == 0) range = {p, p};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       range.min[axis] = std::min(range.min[axis], p[axis]);
       range.max[axis] = std::max(range.max[axis], p[axis]);
     }
-  }
+  });
   return range;
 }
 
-LasGrid local_grid(const LasFile& las) {
-  const LasRange range = range_of(las);
+LasGrid local_grid(const LasFile& las, const LasRange& range) {
   LasGrid grid;
   grid.scale = las.scale;
   for (std::size_t axis = 0; axis < 3; ++axis) {

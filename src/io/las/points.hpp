@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "kappa/core/execution.hpp"
 #include "kappa/io/las/file.hpp"
 
 namespace kappa::io {
@@ -16,7 +17,7 @@ struct LasRange {
 };
 
 /// Least and largest stored coordinate; 0 without points.
-LasRange range_of(const LasFile& las);
+LasRange range_of(const LasFile& las, const Execution& run);
 
 LasPosition stored_position(const LasFile& las, std::size_t point);
 
@@ -33,7 +34,7 @@ struct LasGrid {
   Vec3 local(const LasPosition& p) const { return {local(p[0], 0), local(p[1], 1), local(p[2], 2)}; }
 };
 
-/// A grid about the middle of the points, its centre a round number of steps.
-LasGrid local_grid(const LasFile& las);
+/// A grid about the middle of the points, whose range is `range`, its centre a round number of steps.
+LasGrid local_grid(const LasFile& las, const LasRange& range);
 
 }  // namespace kappa::io

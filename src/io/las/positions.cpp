@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/pace.hpp"
 #include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/scan/scan.hpp"
@@ -20,10 +21,10 @@ double power_of_ten(int exponent) {
   return std::stod("1e" + std::to_string(exponent));
 }
 
-bool all_whole(const Scan& scan, int axis, double offset, double scale, double tolerance) {
-  return std::all_of(scan.points.begin(), scan.points.end(), [&](const Vec3& p) {
-    const double x = p[axis] - offset;
-    return std::abs(std::round(x / scale) * scale - x) <= tolerance;
+bool all_whole(const Scan& scan, int axis, double offset, double scale, double tolerance, const Execution& run) {
+  return !any_row(scan.points.size(), run, [&](std::size_t i) {
+    const double x = scan.points[i][axis] - offset;
+    return !(std::abs(std::round(x / scale) * scale - x) <= tolerance);
   });
 }
 
@@ -43,13 +44,13 @@ double local_offset(double min, double max) {
   return std::round((min + 0.5 * (max - min)) / unit) * unit;
 }
 
-double choose_scale(const Scan& scan, int axis, double offset, double extent) {
+double choose_scale(const Scan& scan, int axis, double offset, double extent, const Execution& run) {
   constexpr int kUsual = -3, kTiny = -300;
   if (!(extent > 0)) return power_of_ten(kUsual);
   const int finest = std::max(finest_exponent(extent), kTiny);
   const double tolerance = 1e-4 * power_of_ten(finest);
   for (int exponent = kUsual; exponent > finest; --exponent) {
-    if (all_whole(scan, axis, offset, power_of_ten(exponent), tolerance)) return power_of_ten(exponent);
+    if (all_whole(scan, axis, offset, power_of_ten(exponent), tolerance, silent(run))) return power_of_ten(exponent);
   }
   return power_of_ten(finest);
 }
@@ -60,12 +61,12 @@ std::string coordinate_name(std::size_t point, int axis) {
 
 }  // namespace
 
-void choose_grid(const Scan& scan, LasFile& las) {
+void choose_grid(const Scan& scan, LasFile& las, const Execution& run) {
   const Bounds box = bounds(scan.points);
   for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
     const double offset = local_offset(box.min[axis], box.max[axis]);
     const double reach = std::max(box.max[axis] - offset, offset - box.min[axis]);
-    las.scale[axis] = choose_scale(scan, axis, offset, 2 * reach);
+    las.scale[axis] = choose_scale(scan, axis, offset, 2 * reach, run);
     las.offset[axis] = scan.origin[axis] + offset;
   }
 }

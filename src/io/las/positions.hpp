@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "kappa/core/execution.hpp"
 #include "kappa/scan/scan.hpp"
 #include "points.hpp"
 
@@ -9,7 +10,7 @@ namespace kappa::io {
 /// Scale and offset for a scan that came from no LAS file. The scale of an axis is the coarsest power
 /// of ten, from 1e-3 down, in which every coordinate is a whole number (to 1e-4 of the finest), else the finest that 32
 /// bits allow: then the error is below 2.5e-9 of the extent.
-void choose_grid(const Scan& scan, LasFile& las);
+void choose_grid(const Scan& scan, LasFile& las, const Execution& run);
 
 /// Stored positions of the points of a scan, with the scale and offset of `las`. A point that is where
 /// its record has it gives the integers of the record, whatever the rounding.

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "io/file_bytes.hpp"
+#include "kappa/core/execution.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 
 /// Points come relative to a local origin already, lest they lose digits.
-Scan read_las(const FileBytes& file);
+Scan read_las(const FileBytes& file, const Execution& run);
 
 }  // namespace kappa::io

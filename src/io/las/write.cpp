@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "bytes.hpp"
-#include "io/row_loop.hpp"
+#include "io/pace.hpp"
 #include "kappa/core/error.hpp"
 #include "layout.hpp"
 #include "output.hpp"
@@ -158,7 +158,7 @@ Statistics write_points(std::ostream& out, const Scan& scan, const LasOutput& pl
 
 void write_las(std::ostream& out, const Scan& scan, const Execution& run) {
   check_records(scan);
-  const LasOutput plan = plan_las(scan);
+  const LasOutput plan = plan_las(scan, stage(run, 0.0, 0.3));
   std::string header = header_14(plan.frame);
   const std::string before = before_points(plan.frame);
   check_sizes(header, before);
@@ -167,7 +167,7 @@ void write_las(std::ostream& out, const Scan& scan, const Execution& run) {
   // The counts and the extent in the header are known only after the points.
   const auto begin = out.tellp();
   write_bytes(out, header + before);
-  const Statistics statistics = write_points(out, scan, plan, run);
+  const Statistics statistics = write_points(out, scan, plan, stage(run, 0.3, 1.0));
   for (const LasRecord& record : plan.frame.extended) write_bytes(out, record_bytes(record, true));
   put_grid(header, plan.frame, statistics.range);
   put_counts(header, plan.frame, statistics);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/text.hpp"
 
 namespace kappa::io {
@@ -23,10 +24,14 @@ constexpr Index kNoNormal = kNoIndex;
 
 class ObjReader {
  public:
-  explicit ObjReader(const FileBytes& file) : file_(file), lines_(file.bytes) {}
+  ObjReader(const FileBytes& file, const Execution& run) : file_(file), run_(run), lines_(file.bytes) {}
 
   Scan read() {
-    for (std::string_view line; lines_.next(line);) parse(join_continued(line));
+    Pace pace(stage(run_, 0.0, 0.9), file_.bytes.size(), kBytesAtOnce);
+    for (std::string_view line; lines_.next(line);) {
+      parse(join_continued(line));
+      pace.at(lines_.position());
+    }
     check_largest(largest_vertex_, scan_.points.size(), "vertex");
     check_largest(largest_normal_, normals_.size(), "normal");
     check_count(file_.path, scan_.points.size());
@@ -150,14 +155,16 @@ class ObjReader {
   void average_corners() {
     std::vector<std::pair<Index, Index>> pairs;  // vertex, normal
     const std::vector<Index>& vertices = scan_.faces.corners();
-    for (std::size_t c = 0; c < vertices.size(); ++c) {
+    for_each_row(vertices.size(), stage(run_, 0.9, 0.95), [&](std::size_t c) {
       if (corner_normals_[c] != kNoNormal) pairs.emplace_back(vertices[c], corner_normals_[c]);
-    }
+    });
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     scan_.normals.assign(scan_.points.size(), Vec3::Zero());
     std::vector<Vec3> distinct;
+    Pace pace(stage(run_, 0.95, 1.0), pairs.size(), kRowsAtOnce);
     for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+      pace.at(begin);
       distinct.clear();
       for (; end < pairs.size() && pairs[end].first == pairs[begin].first; ++end) {
         const Vec3& normal = normals_[pairs[end].second];
@@ -176,6 +183,7 @@ class ObjReader {
   }
 
   const FileBytes& file_;
+  const Execution& run_;
   LineReader lines_;
   std::string joined_;
   std::vector<double> numbers_;
@@ -188,8 +196,8 @@ class ObjReader {
 
 }  // namespace
 
-Scan read_obj(const FileBytes& file) {
-  return ObjReader(file).read();
+Scan read_obj(const FileBytes& file, const Execution& run) {
+  return ObjReader(file, run).read();
 }
 
 }  // namespace kappa::io

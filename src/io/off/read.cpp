@@ -2,6 +2,7 @@
 #include "read.hpp"
 
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/text.hpp"
 
 namespace kappa::io {
@@ -10,7 +11,8 @@ namespace {
 
 class OffReader {
  public:
-  explicit OffReader(const FileBytes& file) : file_(file), lines_(file.bytes) {}
+  OffReader(const FileBytes& file, const Execution& run)
+      : file_(file), lines_(file.bytes), pace_(run, file.bytes.size(), kBytesAtOnce) {}
 
   Scan read() {
     parse_keyword();
@@ -27,6 +29,7 @@ class OffReader {
   /// Moves to the next line that is not blank or a comment.
   bool next_content() {
     while (lines_.next(rest_)) {
+      pace_.at(lines_.position());
       rest_ = trimmed(rest_.substr(0, rest_.find('#')));
       if (!rest_.empty()) return true;
     }
@@ -128,6 +131,7 @@ class OffReader {
 
   const FileBytes& file_;
   LineReader lines_;
+  Pace pace_;
   std::string_view rest_;  ///< what is left of the line being read
   bool has_normals_ = false, has_colours_ = false;
   std::size_t vertex_count_ = 0, face_count_ = 0;
@@ -137,8 +141,8 @@ class OffReader {
 
 }  // namespace
 
-Scan read_off(const FileBytes& file) {
-  return OffReader(file).read();
+Scan read_off(const FileBytes& file, const Execution& run) {
+  return OffReader(file, run).read();
 }
 
 }  // namespace kappa::io

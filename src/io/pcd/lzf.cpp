@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lzf.hpp"
 
+#include "io/pace.hpp"
+
 namespace kappa::io {
 
 namespace {
@@ -38,13 +40,15 @@ bool expand_back_reference(std::size_t control, std::string_view& stream, std::s
 
 }  // namespace
 
-bool expand_lzf(std::string_view stream, std::size_t size, std::string& out) {
+bool expand_lzf(std::string_view stream, std::size_t size, std::string& out, const Execution& run) {
   out.clear();
   out.reserve(size);
+  Pace pace(run, size, kBytesAtOnce);
   for (std::size_t control = 0; next_byte(stream, control);) {
     const bool sound = control < 32 ? copy_literals(stream, control + 1, size, out)
                                     : expand_back_reference(control, stream, size, out);
     if (!sound) return false;
+    pace.at(out.size());
   }
   return out.size() == size;
 }

@@ -6,6 +6,7 @@
 
 #include "header.hpp"
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/text.hpp"
 #include "lzf.hpp"
 
@@ -48,14 +49,14 @@ void reserve(std::vector<PcdColumn>& columns, std::size_t points) {
 }
 
 /// PCL packs the bytes of a colour in a float: as a number it is of no use, and copying it as one may lose it.
-void unpack_colour(Field& field) {
+void unpack_colour(Field& field, const Execution& run) {
   if ((field.name != "rgb" && field.name != "rgba") || field.type != Field::Type::Float32) return;
-  for (double& value : field.values) {
-    const float packed = static_cast<float>(value);
+  for_each_row(field.values.size(), run, [&](std::size_t i) {
+    const float packed = static_cast<float>(field.values[i]);
     std::uint32_t bits;
     std::memcpy(&bits, &packed, sizeof bits);
-    value = bits;
-  }
+    field.values[i] = bits;
+  });
   field.type = Field::Type::UInt32;
 }
 
@@ -79,12 +80,14 @@ void parse_row(const FileBytes& file, const PcdHeader& header, LineReader& lines
   }
 }
 
-void read_ascii(const FileBytes& file, const PcdHeader& header, std::vector<PcdColumn>& columns) {
+void read_ascii(const FileBytes& file, const PcdHeader& header, std::vector<PcdColumn>& columns, const Execution& run) {
   reserve(columns, header.points());
   LineReader lines(file.from(header.offset), header.lines);
+  Pace pace(run, lines.remaining(), kBytesAtOnce);
   std::vector<double> row(header.values_per_point());
   for (std::size_t i = 0; i < header.points(); ++i) {
     parse_row(file, header, lines, row);
+    pace.at(lines.position());
     for (PcdColumn& column : columns) {
       const double value = row[column.position];
       if (!fits(value, column.field.type)) {
@@ -102,19 +105,21 @@ void read_ascii(const FileBytes& file, const PcdHeader& header, std::vector<PcdC
   }
 }
 
-void read_binary(const FileBytes& file, const PcdHeader& header, std::vector<PcdColumn>& columns) {
+void read_binary(const FileBytes& file, const PcdHeader& header, std::vector<PcdColumn>& columns,
+                 const Execution& run) {
   const std::size_t stride = header.bytes_per_point();
   const char* data = file.bytes.data() + header.offset;
   reserve(columns, header.points());
-  for (PcdColumn& column : columns) {
-    for (std::size_t i = 0; i < header.points(); ++i) {
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    PcdColumn& column = columns[c];
+    for_each_row(header.points(), part(run, c, columns.size()), [&](std::size_t i) {
       column.field.values.push_back(load(data + i * stride + column.offset, column.type, ByteOrder::Little));
-    }
+    });
   }
 }
 
 /// The expanded data: all values of the first field, then all of the second, and so on.
-std::string expand(const FileBytes& file, const PcdHeader& header) {
+std::string expand(const FileBytes& file, const PcdHeader& header, const Execution& run) {
   const std::string_view data = file.from(header.offset);
   if (data.size() < 8) refuse(file.path, "ends before its compressed data: it is cut off");
   const auto stored = static_cast<std::size_t>(load(data.data(), Scalar::UInt32, ByteOrder::Little));
@@ -126,25 +131,28 @@ std::string expand(const FileBytes& file, const PcdHeader& header) {
   const std::size_t needed = header.points() * header.bytes_per_point();
   std::string out;
   if (expanded != needed || expanded / kLzfLargestRatio > stored ||
-      !expand_lzf(data.substr(8, stored), expanded, out)) {
+      !expand_lzf(data.substr(8, stored), expanded, out, run)) {
     refuse(file.path, "its compressed data do not expand to the " + std::to_string(needed) +
                           " bytes of its points: the file is damaged");
   }
   return out;
 }
 
-void read_compressed(const FileBytes& file, const PcdHeader& header, std::vector<PcdColumn>& columns) {
-  const std::string data = expand(file, header);
+void read_compressed(const FileBytes& file, const PcdHeader& header, std::vector<PcdColumn>& columns,
+                     const Execution& run) {
+  const std::string data = expand(file, header, stage(run, 0.0, 0.5));
+  const Execution rest = stage(run, 0.5, 1.0);
   reserve(columns, header.points());
   auto column = columns.begin();
   std::size_t begin = 0;
   for (const PcdField& field : header.fields) {
     const std::size_t size = size_of(field.type);
     for (std::size_t k = 0; k < field.count && !is_padding(field); ++k, ++column) {
-      for (std::size_t i = 0; i < header.points(); ++i) {
+      const auto number = static_cast<std::size_t>(column - columns.begin());
+      for_each_row(header.points(), part(rest, number, columns.size()), [&](std::size_t i) {
         const char* value = data.data() + begin + (i * field.count + k) * size;
         column->field.values.push_back(load(value, field.type, ByteOrder::Little));
-      }
+      });
     }
     begin += header.points() * field.count * size;
   }
@@ -165,27 +173,28 @@ void check_size(const FileBytes& file, const PcdHeader& header) {
 
 }  // namespace
 
-Scan read_pcd(const FileBytes& file) {
+Scan read_pcd(const FileBytes& file, const Execution& run) {
   const PcdHeader header = parse_pcd_header(file);
   check_size(file, header);
   std::vector<PcdColumn> columns = columns_of(header);
+  const Execution data = stage(run, 0.0, 0.9);
   switch (header.data) {
     case PcdData::Ascii:
-      read_ascii(file, header, columns);
+      read_ascii(file, header, columns, data);
       break;
     case PcdData::Binary:
-      read_binary(file, header, columns);
+      read_binary(file, header, columns, data);
       break;
     case PcdData::Compressed:
-      read_compressed(file, header, columns);
+      read_compressed(file, header, columns, data);
       break;
   }
   std::vector<Field> fields;
   for (PcdColumn& column : columns) {
-    unpack_colour(column.field);
+    unpack_colour(column.field, silent(run));
     fields.push_back(std::move(column.field));
   }
-  Scan scan = scan_from_columns(file.path, std::move(fields));
+  Scan scan = scan_from_columns(file.path, std::move(fields), stage(run, 0.9, 1.0));
   scan.width = header.width;
   scan.height = header.height;
   scan.viewpoint = header.viewpoint;

@@ -3,6 +3,7 @@
 
 #include "header.hpp"
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/text.hpp"
 
 namespace kappa::io {
@@ -90,23 +91,23 @@ void skip(Source& source, const PlyProperty& property) {
 }
 
 template <class Source>
-void skip_element(Source& source, const PlyElement& element) {
-  for (std::size_t i = 0; i < element.count; ++i) {
+void skip_element(Source& source, const PlyElement& element, const Execution& run) {
+  for_each_row(element.count, run, [&](std::size_t) {
     source.begin_row();
     for (const PlyProperty& property : element.properties) skip(source, property);
     source.end_row();
-  }
+  });
 }
 
 template <class Source>
-std::vector<Field> read_vertices(Source& source, const PlyElement& element) {
+std::vector<Field> read_vertices(Source& source, const PlyElement& element, const Execution& run) {
   std::vector<Field> columns(element.properties.size());
   for (std::size_t k = 0; k < columns.size(); ++k) {
     columns[k].name = element.properties[k].name;
     columns[k].type = field_type(element.properties[k].type);
     columns[k].values.reserve(element.properties[k].is_list ? 0 : element.count);
   }
-  for (std::size_t i = 0; i < element.count; ++i) {
+  for_each_row(element.count, run, [&](std::size_t) {
     source.begin_row();
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (element.properties[k].is_list) {
@@ -116,7 +117,7 @@ std::vector<Field> read_vertices(Source& source, const PlyElement& element) {
       }
     }
     source.end_row();
-  }
+  });
   std::vector<Field> scalars;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (!element.properties[k].is_list) scalars.push_back(std::move(columns[k]));
@@ -140,10 +141,10 @@ void read_corners(Source& source, const PlyProperty& property, std::size_t verti
 }
 
 template <class Source>
-Faces read_faces(Source& source, const PlyElement& element, std::size_t vertices) {
+Faces read_faces(Source& source, const PlyElement& element, std::size_t vertices, const Execution& run) {
   Faces faces;
   std::vector<Index> corners;
-  for (std::size_t i = 0; i < element.count; ++i) {
+  for_each_row(element.count, run, [&](std::size_t) {
     source.begin_row();
     for (const PlyProperty& property : element.properties) {
       if (is_corner_list(property)) {
@@ -154,25 +155,27 @@ Faces read_faces(Source& source, const PlyElement& element, std::size_t vertices
       }
     }
     source.end_row();
-  }
+  });
   return faces;
 }
 
 template <class Source>
-Scan read_body(const FileBytes& file, const PlyHeader& header, Source source) {
+Scan read_body(const FileBytes& file, const PlyHeader& header, Source source, const Execution& run) {
   std::vector<Field> columns;
   Faces faces;
-  for (const PlyElement& element : header.elements) {
+  for (std::size_t k = 0; k < header.elements.size(); ++k) {
+    const PlyElement& element = header.elements[k];
+    const Execution element_run = part(stage(run, 0.0, 0.9), k, header.elements.size());
     if (element.properties.empty()) continue;
     if (element.name == "vertex") {
-      columns = read_vertices(source, element);
+      columns = read_vertices(source, element, element_run);
     } else if (element.name == "face") {
-      faces = read_faces(source, element, header.element("vertex")->count);
+      faces = read_faces(source, element, header.element("vertex")->count, element_run);
     } else {
-      skip_element(source, element);
+      skip_element(source, element, element_run);
     }
   }
-  Scan scan = scan_from_columns(file.path, std::move(columns));
+  Scan scan = scan_from_columns(file.path, std::move(columns), stage(run, 0.9, 1.0));
   scan.faces = std::move(faces);
   return scan;
 }
@@ -201,11 +204,11 @@ void check_elements(const FileBytes& file, const PlyHeader& header) {
 
 }  // namespace
 
-Scan read_ply(const FileBytes& file) {
+Scan read_ply(const FileBytes& file, const Execution& run) {
   const PlyHeader header = parse_ply_header(file);
   check_elements(file, header);
-  if (header.encoding == PlyEncoding::Ascii) return read_body(file, header, AsciiSource(file, header));
-  return read_body(file, header, BinarySource(file, header));
+  if (header.encoding == PlyEncoding::Ascii) return read_body(file, header, AsciiSource(file, header), run);
+  return read_body(file, header, BinarySource(file, header), run);
 }
 
 }  // namespace kappa::io

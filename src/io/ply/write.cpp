@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "io/row_loop.hpp"
+#include "io/pace.hpp"
 #include "io/rows.hpp"
 #include "io/safe_name.hpp"
 #include "io/scalar.hpp"

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/scalar.hpp"
 #include "io/text.hpp"
 
@@ -49,12 +50,12 @@ std::size_t facet_count(const FileBytes& file) {
   return static_cast<std::size_t>(load(file.bytes.data() + kHeaderBytes - 4, Scalar::UInt32, ByteOrder::Little));
 }
 
-Scan read_binary(const FileBytes& file) {
+Scan read_binary(const FileBytes& file, const Execution& run) {
   const std::size_t count = facet_count(file);
   check_count(file.path, 3 * count);
   Scan scan;
   VertexMerger merger(scan);
-  for (std::size_t i = 0; i < count; ++i) {
+  for_each_row(count, run, [&](std::size_t i) {
     const char* vertex = file.bytes.data() + kHeaderBytes + i * kFacetBytes + kNormalBytes;
     Index corners[3];
     for (Index& corner : corners) {
@@ -64,16 +65,20 @@ Scan read_binary(const FileBytes& file) {
       vertex += 12;
     }
     scan.faces.add(corners[0], corners[1], corners[2]);
-  }
+  });
   return scan;
 }
 
 class AsciiStlReader {
  public:
-  explicit AsciiStlReader(const FileBytes& file) : file_(file), lines_(file.bytes), merger_(scan_) {}
+  AsciiStlReader(const FileBytes& file, const Execution& run)
+      : file_(file), lines_(file.bytes), pace_(run, file.bytes.size(), kBytesAtOnce), merger_(scan_) {}
 
   Scan read() {
-    for (std::string_view line; lines_.next(line);) parse(line);
+    for (std::string_view line; lines_.next(line);) {
+      parse(line);
+      pace_.at(lines_.position());
+    }
     if (open_facet_ || !closed_) refuse(file_.path, "ends before 'endsolid': it is cut off");
     check_count(file_.path, scan_.points.size());
     return std::move(scan_);
@@ -122,6 +127,7 @@ class AsciiStlReader {
 
   const FileBytes& file_;
   LineReader lines_;
+  Pace pace_;
   Scan scan_;
   VertexMerger merger_;
   std::vector<Index> corners_;
@@ -130,13 +136,13 @@ class AsciiStlReader {
 
 }  // namespace
 
-Scan read_stl(const FileBytes& file) {
+Scan read_stl(const FileBytes& file, const Execution& run) {
   const std::size_t size = file.bytes.size();
   const bool has_header = size >= kHeaderBytes;
   // The size decides: many binary files begin with "solid" like an ascii one.
-  if (has_header && size == kHeaderBytes + facet_count(file) * kFacetBytes) return read_binary(file);
+  if (has_header && size == kHeaderBytes + facet_count(file) * kFacetBytes) return read_binary(file, run);
   std::string_view rest = file.bytes, word;
-  if (next_word(rest, word) && lower(word.substr(0, 5)) == "solid") return AsciiStlReader(file).read();
+  if (next_word(rest, word) && lower(word.substr(0, 5)) == "solid") return AsciiStlReader(file, run).read();
   if (!has_header) refuse(file.path, "is too short for an STL file: it is cut off or not an STL");
   refuse(file.path, "promises " + std::to_string(facet_count(file)) + " triangles (" +
                         std::to_string(kHeaderBytes + facet_count(file) * kFacetBytes) + " bytes) but has " +

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/scalar.hpp"
 #include "io/text.hpp"
 
@@ -23,7 +24,8 @@ std::string_view without_quotes(std::string_view word) {
 
 class TextReader {
  public:
-  explicit TextReader(const FileBytes& file) : file_(file), lines_(file.bytes) {
+  TextReader(const FileBytes& file, const Execution& run)
+      : file_(file), lines_(file.bytes), pace_(run, file.bytes.size(), kBytesAtOnce) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (file.from(0).substr(0, kByteOrderMark.size()) == kByteOrderMark) {
       lines_ = LineReader(file.from(kByteOrderMark.size()));
@@ -45,6 +47,7 @@ class TextReader {
 
   bool next_content(std::string_view& line) {
     while (lines_.next(line)) {
+      pace_.at(lines_.position());
       line = trimmed(line);
       if (!line.empty() && !is_comment(line)) return true;
     }
@@ -119,30 +122,33 @@ class TextReader {
 
   const FileBytes& file_;
   LineReader lines_;
+  Pace pace_;
   std::vector<Field> columns_;
   std::int64_t promised_ = 0;
   bool has_promise_ = false;
 };
 
 /// Whether the last three of six columns are 8-bit colours: integers up to 255, of which some exceed 1.
-bool are_colours(const std::vector<Field>& columns) {
+bool are_colours(const std::vector<Field>& columns, const Execution& run) {
   bool above_one = false;
   for (std::size_t k = 3; k < 6; ++k) {
-    for (const double value : columns[k].values) {
-      if (!fits(value, Field::Type::UInt8)) return false;
-      above_one = above_one || value > 1;
-    }
+    const std::vector<double>& values = columns[k].values;
+    const bool some_do_not_fit = any_row(values.size(), run, [&](std::size_t i) {
+      above_one = above_one || values[i] > 1;
+      return !fits(values[i], Field::Type::UInt8);
+    });
+    if (some_do_not_fit) return false;
   }
   return above_one;
 }
 
 /// Columns of a file without header: x y z, then normals or colours if there are six, else numbers of columns.
-void name_columns(std::vector<Field>& columns) {
+void name_columns(std::vector<Field>& columns, const Execution& run) {
   static const char* const kPosition[] = {"x", "y", "z"};
   static const char* const kNormal[] = {"nx", "ny", "nz"};
   static const char* const kColour[] = {"red", "green", "blue"};
   const bool six = columns.size() == 6;
-  const bool colours = six && are_colours(columns);
+  const bool colours = six && are_colours(columns, run);
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (k < 3) {
       columns[k].name = kPosition[k];
@@ -156,7 +162,7 @@ void name_columns(std::vector<Field>& columns) {
 }
 
 /// Gives the fields that kappa writes back the types they were written with.
-void restore_types(std::vector<Field>& columns) {
+void restore_types(std::vector<Field>& columns, const Execution& run) {
   const auto begins = [](const std::string& name, const char* stem) {
     const std::string_view text(stem);
     return name == text || name.compare(0, text.size() + 2, std::string(text) + "_r") == 0;
@@ -166,19 +172,19 @@ void restore_types(std::vector<Field>& columns) {
     const bool large = begins(column.name, "face_count") || begins(column.name, "region");
     if (!small && !large) continue;
     const Field::Type type = small ? Field::Type::UInt8 : Field::Type::UInt32;
-    const bool all = std::all_of(column.values.begin(), column.values.end(), [&](double v) { return fits(v, type); });
-    if (all) column.type = type;
+    const std::vector<double>& values = column.values;
+    if (!any_row(values.size(), run, [&](std::size_t i) { return !fits(values[i], type); })) column.type = type;
   }
 }
 
 }  // namespace
 
-Scan read_text(const FileBytes& file) {
-  std::vector<Field> columns = TextReader(file).read();
+Scan read_text(const FileBytes& file, const Execution& run) {
+  std::vector<Field> columns = TextReader(file, stage(run, 0.0, 0.9)).read();
   check_count(file.path, columns[0].values.size());
-  if (columns[0].name.empty()) name_columns(columns);
-  restore_types(columns);
-  return scan_from_columns(file.path, std::move(columns));
+  if (columns[0].name.empty()) name_columns(columns, silent(run));
+  restore_types(columns, silent(run));
+  return scan_from_columns(file.path, std::move(columns), stage(run, 0.9, 1.0));
 }
 
 }  // namespace kappa::io

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/coordinate.hpp"
-#include "io/row_loop.hpp"
+#include "io/pace.hpp"
 #include "io/safe_name.hpp"
 #include "kappa/core/decimal.hpp"
 

@@ -2,6 +2,7 @@
 #include "file.hpp"
 
 #include "io/columns.hpp"
+#include "io/pace.hpp"
 #include "io/text.hpp"
 #include "xml.hpp"
 
@@ -25,10 +26,12 @@ bool scalar_from_name(const std::string& name, Scalar& type) {
 
 class VtpParser {
  public:
-  explicit VtpParser(const FileBytes& file) : file_(file), xml_(file.bytes) {}
+  VtpParser(const FileBytes& file, const Execution& run)
+      : file_(file), xml_(file.bytes), pace_(run, file.bytes.size(), kBytesAtOnce) {}
 
   VtpFile parse() {
     while (xml_.next(tag_)) {
+      pace_.at(xml_.position());
       if (tag_.name == "AppendedData" && tag_.is_start) {
         parse_appended();
         break;
@@ -125,6 +128,7 @@ class VtpParser {
 
   const FileBytes& file_;
   XmlReader xml_;
+  Pace pace_;
   XmlTag tag_;
   std::string section_;
   VtpFile vtp_;
@@ -141,8 +145,8 @@ const VtpArray* VtpFile::array(const std::string& section, const std::string& na
   return nullptr;
 }
 
-VtpFile parse_vtp(const FileBytes& file) {
-  return VtpParser(file).parse();
+VtpFile parse_vtp(const FileBytes& file, const Execution& run) {
+  return VtpParser(file, run).parse();
 }
 
 }  // namespace kappa::io

@@ -7,6 +7,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/scalar.hpp"
+#include "kappa/core/execution.hpp"
 
 /// The structure of a VTK XML file of type PolyData, and the numbers in its arrays. Nothing in it is trusted.
 namespace kappa::io {
@@ -37,6 +38,6 @@ struct VtpFile {
 };
 
 /// @throws Error FileFormat for anything that is not one sound piece of PolyData.
-VtpFile parse_vtp(const FileBytes& file);
+VtpFile parse_vtp(const FileBytes& file, const Execution& run);
 
 }  // namespace kappa::io

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "io/file_bytes.hpp"
+#include "kappa/core/execution.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa::io {
 
-Scan read_vtp(const FileBytes& file);
+Scan read_vtp(const FileBytes& file, const Execution& run);
 
 }  // namespace kappa::io

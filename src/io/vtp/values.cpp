@@ -3,6 +3,7 @@
 
 #include <zlib.h>
 
+#include "io/pace.hpp"
 #include "io/text.hpp"
 
 namespace kappa::io {
@@ -22,13 +23,15 @@ int base64_digit(char c) {
 /// Bytes that stand in a text as they are or in base64, of which padding may stand between two parts.
 class ByteSource {
  public:
-  ByteSource(std::string_view text, bool is_base64) : text_(text), is_base64_(is_base64) {}
+  ByteSource(std::string_view text, bool is_base64, const Execution& run)
+      : text_(text), is_base64_(is_base64), size_(text.size()), pace_(run, text.size(), kBytesAtOnce) {}
 
   /// No more bytes than that can come.
   std::size_t limit() const { return is_base64_ ? text_.size() / 4 * 3 + pending_.size() : text_.size(); }
 
   bool take(std::size_t count, std::string& bytes) {
     if (count > limit()) return false;
+    pace_.at(size_ - text_.size());
     if (!is_base64_) {
       bytes.assign(text_.substr(0, count));
       text_.remove_prefix(count);
@@ -36,6 +39,7 @@ class ByteSource {
     }
     while (pending_.size() < count) {
       if (!decode_quad()) return false;
+      pace_.at(size_ - text_.size());
     }
     bytes.assign(pending_, 0, count);
     pending_.erase(0, count);
@@ -57,8 +61,10 @@ class ByteSource {
     return digits >= 2;
   }
 
-  std::string_view text_;
+  std::string_view text_;  ///< what is left of it
   bool is_base64_;
+  std::size_t size_;  ///< of the whole text
+  Pace pace_;
   std::string pending_;
 };
 
@@ -120,8 +126,9 @@ class ArrayReader {
   ByteSource source_;
 };
 
-bool parse_ascii(const VtpArray& array, std::size_t count, std::vector<double>& values) {
+bool parse_ascii(const VtpArray& array, std::size_t count, std::vector<double>& values, const Execution& run) {
   std::string_view text = array.text;
+  Pace pace(run, text.size(), kBytesAtOnce);
   std::size_t begin = 0;
   while ((begin = text.find_first_not_of(" \t\r\n")) != text.npos) {
     text.remove_prefix(begin);
@@ -129,11 +136,13 @@ bool parse_ascii(const VtpArray& array, std::size_t count, std::vector<double>& 
     values.emplace_back();
     if (!parse_number(word, values.back()) || !fits(values.back(), field_type(array.type))) return false;
     text.remove_prefix(word.size());
+    pace.at(array.text.size() - text.size());
   }
   return count == kAllValues || values.size() == count;
 }
 
-bool parse_binary(const VtpFile& vtp, const VtpArray& array, std::size_t count, std::vector<double>& values) {
+bool parse_binary(const VtpFile& vtp, const VtpArray& array, std::size_t count, std::vector<double>& values,
+                  const Execution& run) {
   const bool is_inline = array.format == VtpFormat::Inline;
   if (!is_inline && array.offset > vtp.appended.size()) return false;
   std::string text = is_inline ? array.text : std::string();
@@ -143,19 +152,22 @@ bool parse_binary(const VtpFile& vtp, const VtpArray& array, std::size_t count, 
   const std::size_t size = size_of(array.type);
   std::string bytes;
   const std::size_t expected = count == kAllValues ? kAllValues : count * size;
-  if (!ArrayReader(vtp, ByteSource(source, is_inline || vtp.appended_is_base64)).read(expected, bytes)) return false;
+  const ByteSource stored(source, is_inline || vtp.appended_is_base64, stage(run, 0.0, 0.5));
+  if (!ArrayReader(vtp, stored).read(expected, bytes)) return false;
   if (bytes.size() % size != 0) return false;
   values.resize(bytes.size() / size);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = load(bytes.data() + i * size, array.type, vtp.order);
+  for_each_row(values.size(), stage(run, 0.5, 1.0),
+               [&](std::size_t i) { values[i] = load(bytes.data() + i * size, array.type, vtp.order); });
   return true;
 }
 
 }  // namespace
 
-std::vector<double> vtp_values(const FileBytes& file, const VtpFile& vtp, const VtpArray& array, std::size_t count) {
+std::vector<double> vtp_values(const FileBytes& file, const VtpFile& vtp, const VtpArray& array, std::size_t count,
+                               const Execution& run) {
   std::vector<double> values;
-  const bool sound =
-      array.format == VtpFormat::Ascii ? parse_ascii(array, count, values) : parse_binary(vtp, array, count, values);
+  const bool sound = array.format == VtpFormat::Ascii ? parse_ascii(array, count, values, run)
+                                                      : parse_binary(vtp, array, count, values, run);
   if (!sound) {
     const std::string promised = count == kAllValues ? "values" : std::to_string(count) + " values";
     refuse(file.path, "cannot be read as a VTP file: its array " + in_quotes(array.name) + " in " +

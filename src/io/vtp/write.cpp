@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "io/coordinate.hpp"
-#include "io/row_loop.hpp"
+#include "io/pace.hpp"
 #include "io/scalar.hpp"
 #include "names.hpp"
 #include "xml.hpp"
