@@ -3,25 +3,19 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <ostream>
 #include <set>
 
 #include "file_bytes.hpp"
+#include "format_table.hpp"
 #include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
-#include "las/write.hpp"
 #include "pace.hpp"
-#include "pcd/write.hpp"
-#include "ply/write.hpp"
 #include "safe_name.hpp"
 #include "scalar.hpp"
 #include "stream.hpp"
-#include "text/write.hpp"
-#include "vtp/write.hpp"
 
 namespace kappa {
 
@@ -29,19 +23,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Writer = void (*)(std::ostream&, const Scan&, const Execution&);
+const io::Format& format_to_write(const std::string& path) {
+  const io::Format* const format = io::format_of(path);
+  if (format && format->write) return *format;
+  throw Error(ErrorCode::FileWrite, "'" + path + "': files of extension '" + io::extension_of(path) +
+                                        "' are not written: use one of " + io::listed(writable_extensions()));
+}
 
-Writer writer_for(const std::string& path) {
-  const std::string extension = io::extension_of(path);
-  if (extension == ".csv") return io::write_csv;
-  if (extension == ".ply") return io::write_ply;
-  if (extension == ".pcd") return io::write_pcd;
-  if (extension == ".vtp") return io::write_vtp;
-  if (extension == ".las") return io::write_las;
-  std::string known;
-  for (const std::string& writable : writable_extensions()) known += (known.empty() ? "" : " ") + writable;
-  throw Error(ErrorCode::FileWrite,
-              "'" + path + "': files of extension '" + extension + "' are not written: use one of " + known);
+/// Extensions of those formats that are written and meant.
+std::vector<std::string> extensions_where(bool (*is_meant)(const io::Format&)) {
+  std::vector<std::string> names;
+  for (const io::Format& format : io::format_table()) {
+    if (format.write && is_meant(format)) names.push_back(format.extension);
+  }
+  return names;
 }
 
 void check_field(const Field& field, std::size_t points, const Execution& run) {
@@ -85,20 +80,26 @@ void check_scan(const Scan& scan, const Execution& run) {
 }  // namespace
 
 void write_scan(const std::string& path, const Scan& scan, const Execution& run) {
-  const Writer writer = writer_for(path);
+  const io::Format& format = format_to_write(path);
   io::begin_progress(run);
   check_scan(scan, io::silent(run));
-  io::write_stream(path, run, [&](std::ostream& out) { writer(out, scan, stage(run, 0.0, 0.99)); });
+  io::write_stream(path, run, [&](std::ostream& out) { format.write(out, scan, stage(run, 0.0, 0.99)); });
   io::end_progress(run);
 }
 
 const std::vector<std::string>& writable_extensions() {
-  static const std::vector<std::string> extensions = {".csv", ".ply", ".pcd", ".vtp", ".las"};
+  static const std::vector<std::string> extensions = extensions_where([](const io::Format&) { return true; });
+  return extensions;
+}
+
+const std::vector<std::string>& writable_mesh_extensions() {
+  static const std::vector<std::string> extensions =
+      extensions_where([](const io::Format& format) { return format.holds_faces; });
   return extensions;
 }
 
 void check_writable(const std::string& path) {
-  writer_for(path);
+  format_to_write(path);
   const fs::path parent = fs::path(path).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
   std::error_code error;

@@ -139,7 +139,7 @@ TEST(CheckWritable, RefusesBeforeAnythingIsComputed) {
   const auto refuses = [&](const std::string& path, const char* part) {
     expect_error([&] { check_writable(path); }, ErrorCode::FileWrite, part);
   };
-  refuses(folder.file("a.xyz"), "use one of .csv .ply .pcd .vtp");
+  refuses(folder.file("a.xyz"), "use one of .ply .pcd .csv .vtp .las");
   refuses(folder.file("a"), "extension ''");
   refuses(folder.file("none/a.ply"), "there is no folder");
   std::filesystem::create_directory(folder.file("b.ply"));

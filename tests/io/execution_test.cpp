@@ -193,7 +193,8 @@ std::vector<Sample> samples() {
                              {"inline.vtp", inline_vtp(cloud)},
                              {"points.las", las()}};
   for (const std::string& extension : writable_extensions()) {
-    const bool keeps_faces = extension == ".ply" || extension == ".vtp";
+    const std::vector<std::string>& meshes = writable_mesh_extensions();
+    const bool keeps_faces = std::find(meshes.begin(), meshes.end(), extension) != meshes.end();
     all.push_back({"written" + extension, written(extension, keeps_faces ? mesh : cloud)});
   }
   return all;

@@ -285,7 +285,7 @@ TEST(RefusedFiles, ByNameOrKind) {
   refuses(folder.write("a.e57", "x"), ErrorCode::FileFormat, "E57 is not read");
   refuses(folder.write("a.vol", "x"), ErrorCode::FileFormat, "voxel volumes");
   refuses(folder.write("a.vtk", "x"), ErrorCode::FileFormat, "save it as .vtp");
-  refuses(folder.write("a.doc", "x"), ErrorCode::FileFormat, ".pcd .ply .obj .off .stl .vtp .xyz .pts .txt .csv");
+  refuses(folder.write("a.doc", "x"), ErrorCode::FileFormat, ".ply .pcd .csv .vtp .las .obj .off .stl .xyz .pts .txt");
   refuses(folder.write("a", "x"), ErrorCode::FileFormat, "the extension ''");
   refuses(folder.write("b.ply", "version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 9\n"),
           ErrorCode::FileFormat, "git lfs pull");

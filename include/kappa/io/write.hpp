@@ -24,6 +24,9 @@ void write_scan(const std::string& path, const Scan& scan, const Execution& run 
 /// Extensions that write_scan knows, lower case with the dot.
 const std::vector<std::string>& writable_extensions();
 
+/// Those of them whose files keep faces.
+const std::vector<std::string>& writable_mesh_extensions();
+
 /// @throws Error FileWrite if write_scan would refuse `path` for its extension or its folder: to be
 /// called before a long computation.
 void check_writable(const std::string& path);
