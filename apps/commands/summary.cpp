@@ -145,7 +145,7 @@ void print_segments(const LabelledScan& s) {
   for (const Region& region : s.segmentation.table) ++regions[static_cast<std::size_t>(region.label)];
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == 0) continue;
-    std::printf("  %-20s %11.1f %% %8zu regions\n", label_name(static_cast<Label>(i)),
+    std::printf("  %-20s %11.1f %% %8zu regions\n", name(static_cast<Label>(i)),
                 100 * static_cast<double>(counts[i]) / total, regions[i]);
   }
 }
@@ -173,7 +173,7 @@ Json percentiles_json(const FieldSummary& s) {
 Json segments_json(const LabelledScan& s) {
   Json labels;
   const auto counts = count_labels(s.segmentation.labels);
-  for (std::size_t i = 0; i < counts.size(); ++i) labels.add(label_name(static_cast<Label>(i)), counts[i]);
+  for (std::size_t i = 0; i < counts.size(); ++i) labels.add(name(static_cast<Label>(i)), counts[i]);
   return Json()
       .add("threshold", s.threshold)
       .add("estimated", s.estimated ? std::size_t{1} : std::size_t{0})

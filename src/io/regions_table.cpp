@@ -15,7 +15,7 @@ void write_regions(const std::string& path, const Segmentation& segmentation, co
     std::string line;
     io::for_each_row(segmentation.table.size(), stage(run, 0.0, 0.99), [&](std::size_t i) {
       const Region& region = segmentation.table[i];
-      line = std::to_string(i + 1) + "," + label_name(region.label) + "," + std::to_string(region.points);
+      line = std::to_string(i + 1) + "," + name(region.label) + "," + std::to_string(region.points);
       const Vec3 centroid = origin + region.centroid;
       for (const double value : {region.area, region.border, region.mean_curvature, region.gaussian_curvature,
                                  centroid.x(), centroid.y(), centroid.z()}) {

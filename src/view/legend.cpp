@@ -137,7 +137,7 @@ void draw_label_legend(Panel& panel, const LegendPlace& place, const std::vector
     const auto label = static_cast<std::size_t>(i % kLabelCount);  // Undefined comes last
     if (counts[label] == 0) continue;
     draw_swatch(panel, left, y - 13 * s, 40 * s, label_colour(static_cast<Label>(label)));
-    panel.text(Vec2(left + 54 * s, y), label_name(static_cast<Label>(label)), looks.normal);
+    panel.text(Vec2(left + 54 * s, y), name(static_cast<Label>(label)), looks.normal);
     panel.text(Vec2(left + 54 * s, y - 28 * s), percent(counts[label], labels.size()), looks.small);
     y -= 78 * s;
   }

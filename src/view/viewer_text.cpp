@@ -84,7 +84,7 @@ std::string pick_text(const Scan& scan, const ViewData& data, Index point) {
                 decimals, x.z());
   std::string text = "point " + std::to_string(point) + "\n" + coordinates;
   if (!data.status.empty()) text += std::string("\nstatus: ") + status_name(data.status[point]);
-  if (!data.labels.empty()) text += std::string("\nlabel: ") + label_name(data.labels[point]);
+  if (!data.labels.empty()) text += std::string("\nlabel: ") + name(data.labels[point]);
   for (const NamedValues& field : data.fields) {
     const double value = field.values[point];
     text += "\n" + field.style.name + "  ";

@@ -22,10 +22,10 @@ TEST(Labels, TableOfFigure13) {
   const std::array<Row, 10> table = {{{2, 3, Label::Convex},
                                       {-3, -2, Label::Concave},
                                       {-2, 2, Label::Saddle},
-                                      {0.1, 2, Label::ConvexCylinder},
-                                      {-0.1, 2, Label::ConvexCylinder},
-                                      {-2, 0.1, Label::ConcaveCylinder},
-                                      {-2, -0.1, Label::ConcaveCylinder},
+                                      {0.1, 2, Label::Ridge},
+                                      {-0.1, 2, Label::Ridge},
+                                      {-2, 0.1, Label::Valley},
+                                      {-2, -0.1, Label::Valley},
                                       {-0.1, 0.1, Label::Flat},
                                       {0, 0, Label::Flat},
                                       {1, 1, Label::Convex}}};
@@ -42,8 +42,8 @@ TEST(Labels, ZeroThresholdKeepsExactZeroFlat) {
   EXPECT_EQ(classify(1e-300, 1e-300, 0), Label::Convex);
   EXPECT_EQ(classify(-1e-300, 1e-300, 0), Label::Saddle);
   EXPECT_EQ(classify(0, 0, 0), Label::Flat);
-  EXPECT_EQ(classify(0, 1, 0), Label::ConvexCylinder);
-  EXPECT_EQ(classify(-1, 0, 0), Label::ConcaveCylinder);
+  EXPECT_EQ(classify(0, 1, 0), Label::Ridge);
+  EXPECT_EQ(classify(-1, 0, 0), Label::Valley);
 }
 
 TEST(Labels, NaNIsUndefined) {
@@ -57,18 +57,19 @@ TEST(Labels, NamesAndColours) {
   std::set<std::tuple<int, int, int>> colours;
   for (int i = 0; i < kLabelCount; ++i) {
     const Rgb c = label_colour(static_cast<Label>(i));
-    names.insert(label_name(static_cast<Label>(i)));
+    names.insert(name(static_cast<Label>(i)));
     colours.insert({c.r, c.g, c.b});
   }
   EXPECT_EQ(names.size(), static_cast<std::size_t>(kLabelCount));
   EXPECT_EQ(colours.size(), static_cast<std::size_t>(kLabelCount));
-  EXPECT_STREQ(label_name(Label::Undefined), "undefined");
-  EXPECT_STREQ(label_name(Label::Flat), "flat");
-  EXPECT_STREQ(label_name(Label::Convex), "convex");
-  EXPECT_STREQ(label_name(Label::Concave), "concave");
-  EXPECT_STREQ(label_name(Label::Saddle), "saddle");
-  EXPECT_STREQ(label_name(Label::ConvexCylinder), "convex cylinder");
-  EXPECT_STREQ(label_name(Label::ConcaveCylinder), "concave cylinder");
+  EXPECT_EQ(names_of(Label{}).size(), static_cast<std::size_t>(kLabelCount));
+  EXPECT_STREQ(name(Label::Undefined), "undefined");
+  EXPECT_STREQ(name(Label::Flat), "flat");
+  EXPECT_STREQ(name(Label::Convex), "convex");
+  EXPECT_STREQ(name(Label::Concave), "concave");
+  EXPECT_STREQ(name(Label::Saddle), "saddle");
+  EXPECT_STREQ(name(Label::Ridge), "ridge");
+  EXPECT_STREQ(name(Label::Valley), "valley");
 }
 
 bool dominates(int strong, int a, int b) {
@@ -80,7 +81,7 @@ TEST(Labels, ColoursAreThoseOfTheirNames) {
   EXPECT_TRUE(dominates(red.r, red.g, red.b));
   EXPECT_TRUE(dominates(blue.b, blue.r, blue.g));
   EXPECT_TRUE(dominates(green.g, green.r, green.b));
-  const Rgb yellow = label_colour(Label::ConvexCylinder), cyan = label_colour(Label::ConcaveCylinder);
+  const Rgb yellow = label_colour(Label::Ridge), cyan = label_colour(Label::Valley);
   EXPECT_TRUE(yellow.r > yellow.b + 40 && yellow.g > yellow.b + 40);
   EXPECT_TRUE(cyan.g > cyan.r + 40 && cyan.b > cyan.r + 40);
   const Rgb white = label_colour(Label::Flat), grey = label_colour(Label::Undefined);

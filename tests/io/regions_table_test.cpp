@@ -10,7 +10,7 @@ Segmentation two_regions() {
   Segmentation s;
   s.table.resize(2);
   s.table[0] = {Label::Convex, 1, 2.5, 0.1, Vec3(0.25, 0, 0), 1.5, kNaN};
-  s.table[1] = {Label::ConcaveCylinder, 1, 1.0, 0.1, Vec3(0, 0, -1), -2, 0};
+  s.table[1] = {Label::Valley, 1, 1.0, 0.1, Vec3(0, 0, -1), -2, 0};
   return s;
 }
 

@@ -60,7 +60,7 @@ TEST(RadiusSuffix, IsTheShortestDecimal) {
 
 Segmentation two_regions() {
   Segmentation s;
-  s.labels = {Label::Convex, Label::Undefined, Label::ConcaveCylinder};
+  s.labels = {Label::Convex, Label::Undefined, Label::Valley};
   s.regions = {1, 0, 2};
   return s;
 }

@@ -180,8 +180,8 @@ TEST_F(FigureTest, LabelsHaveExactlyTheirColours) {
     const int count = picture.count(0, 0, kWidth - kStrip, kHeight, is_label);
     known += count;
     const auto [left, right] = square(picture, options_.background);
-    EXPECT_NEAR(share, count / std::pow(right - left, 2), 0.03) << label_name(label);
-    EXPECT_GT(picture.count(kWidth - kStrip, 0, kWidth, kHeight, is_label), 200) << label_name(label);
+    EXPECT_NEAR(share, count / std::pow(right - left, 2), 0.03) << name(label);
+    EXPECT_GT(picture.count(kWidth - kStrip, 0, kWidth, kHeight, is_label), 200) << name(label);
   }
   const auto drawn = [&](Rgb c) { return !same(c, options_.background); };
   EXPECT_GT(known, 0.98 * picture.count(0, 0, kWidth - kStrip, kHeight, drawn));  // the rest are smoothed edges

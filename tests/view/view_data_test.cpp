@@ -88,7 +88,7 @@ TEST(StoredData, OfSeveralRadiiAreKeptApart) {
   ASSERT_EQ(2U, two.directions.dir_min.size());
   EXPECT_EQ(Vec3(2, 3, 4), two.directions.dir_min[0]);
   EXPECT_TRUE(twelve.directions.dir_min.empty());
-  EXPECT_EQ((std::vector<Label>{Label::ConvexCylinder, Label::Undefined}), two.labels);
+  EXPECT_EQ((std::vector<Label>{Label::Ridge, Label::Undefined}), two.labels);
   EXPECT_TRUE(own.labels.empty());
   EXPECT_THROW(stored_data(scan, {"_r3", 3}), Error);
 }
@@ -99,7 +99,7 @@ TEST(StoredData, LabelsAndStatusAreNumbersOfTheirKinds) {
   scan.fields[0].values = {0, 6, 7, -1, 2.5, kNaN};
   scan.fields[1].values = {0, 4, 5, -1, 0.5, kNaN};
   const ViewData data = stored_data(scan, stored_sets(scan).front());
-  EXPECT_EQ((std::vector<Label>{Label::Undefined, Label::ConcaveCylinder, Label::Undefined, Label::Undefined,
+  EXPECT_EQ((std::vector<Label>{Label::Undefined, Label::Valley, Label::Undefined, Label::Undefined,
                                 Label::Undefined, Label::Undefined}),
             data.labels);
   EXPECT_EQ((std::vector<PointStatus>{PointStatus::Valid, PointStatus::Border, PointStatus::Invalid,
