@@ -7,6 +7,7 @@
 
 #include "core/large_array.hpp"
 #include "kappa/core/checks.hpp"
+#include "kappa/core/quad_measures.hpp"
 
 namespace kappa {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/core/quad_measures.hpp"
+
 #include <cmath>
 
 #include <Eigen/Geometry>
-
-#include "kappa/core/measures.hpp"
 
 namespace kappa {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "share_by_boundary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
-
-#include "kappa/core/triangle_ball.hpp"
 
 // The second form of triangle n disc: the boundary of the intersection, as chords on the edges and
 // arcs between them, in a frame that lies on the longest edge. Nothing larger than the triangle is

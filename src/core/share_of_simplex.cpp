@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "share_of_simplex.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "kappa/core/triangle_ball.hpp"
 
 namespace kappa::detail {
 namespace {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/core/quad_measures.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/share_of_simplex.hpp"
 #include "kappa/core/triangle_ball.hpp"
 #include "support/oracles.hpp"
 #include "triangle_ball_cases.hpp"

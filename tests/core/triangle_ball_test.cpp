@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "core/share_by_boundary.hpp"
+#include "core/share_by_sectors.hpp"
 #include "kappa/core/execution.hpp"
 #include "support/oracles.hpp"
 #include "triangle_ball_cases.hpp"

@@ -11,46 +11,40 @@ namespace kappa {
 struct TriangleShare {
   /// Area of the intersection over the area of the triangle, in [0, 1].
   double share = 0;
-  /// Centroid of the intersection: x0 + b1 (x1 - x0) + b2 (x2 - x0). Undefined if share is 0.
+  /// The centroid of the intersection is x0 + b1 (x1 - x0) + b2 (x2 - x0). Undefined where `share` is 0.
   double b1 = 0, b2 = 0;
-  /// Whether they meet at all, perhaps in a point or a line of no area.
+  /// Whether triangle and ball have a point in common. They may meet in a point or a line, with a share of 0.
   bool met = false;
 };
 
-/// A triangle is treated as a line or a point if |e1 x e2| <= kDegenerateRatio * longest edge^2.
+/// A triangle is degenerate, and is treated as a line or a point, if |e1 x e2| <= kDegenerateRatio * longest edge^2.
 inline constexpr double kDegenerateRatio = 1e-12;
 
-/// Squared distance from the origin to the closed triangle `x`.
+/// The squared distance from the origin to the closed triangle with the corners `x`.
 double distance_sq_to_triangle(const std::array<Vec3, 3>& x);
 
-/// Whether the closed ball around the origin meets the closed triangle `x`. Decided by the
-/// distance, never by the area, which rounding keeps from vanishing exactly.
+/// Whether the closed ball of `radius` around the origin and the closed triangle `x` have a point in common. The
+/// distance decides this, never the area: rounding keeps the area of a missed triangle from vanishing exactly.
 bool triangle_meets_ball(const std::array<Vec3, 3>& x, double radius);
 
-/// Share of the triangle `x`, given relative to the centre of the ball, that the closed ball of
-/// `radius` > 0 holds, with the centroid of the intersection.
+/// The share of the triangle that a closed ball holds, and the centroid of that part.
 ///
-/// The ball cuts the plane of the triangle in a disc. Area and first moments of triangle n disc are
-/// sums over the edges of a chord part and a sector part. Triangles small beside the ball, or flatter than
-/// 1e-3 (height over longest edge), go through a second form that sums nothing larger than the
-/// triangle itself. Degenerate triangles: share and centroid of the parameter simplex.
+/// `x` are the corners relative to the centre of the ball; `radius` is positive and has the same unit.
 ///
-/// Error: share and share * (b1, b2) below kShareError for triangles from 1e-4 to 1e4 times the
-/// ball with height over longest edge down to 1e-6. Only where the plane of the triangle all but touches the
-/// ball is the share itself that sensitive to the last digit of the corners that the bound cannot hold; there the
-/// error is that of a change of the radius by a few roundings.
+/// The ball cuts the plane of the triangle in a disc. Three forms compute the part of the triangle in the disc:
+/// (a) a sum over the edges of chord parts and circular sectors, for most triangles;
+/// (b) chords and arcs along the boundary of the intersection, for triangles small beside the ball, and in extended
+///     precision for the smallest and for slivers;
+/// (c) the part of the parameter simplex, for degenerate triangles.
+///
+/// Error: share and share * (b1, b2) are within kShareError of the exact ones, for triangles of 1e-4 to 1e4 times the
+/// size of the ball whose height is at least 1e-6 of their longest edge. Where the plane of the triangle almost touches
+/// the ball, the share depends so much on the last digit of the corners that no result can hold this bound. The error
+/// is then as large as that of a change of the radius by a few roundings.
 /// Cost: one atan2 an edge.
 TriangleShare triangle_ball_share(const std::array<Vec3, 3>& x, double radius);
 
-/// Bound of the error of `triangle_ball_share`, tested against 113-bit arithmetic.
+/// The bound of the error of `triangle_ball_share`. The tests compare with 113-bit arithmetic.
 inline constexpr double kShareError = 1e-10;
-
-/// The forms, for tests and benchmarks. All but the last need a triangle that is not degenerate.
-namespace detail {
-TriangleShare share_by_sectors(const std::array<Vec3, 3>& x, double radius);
-TriangleShare share_by_boundary(const std::array<Vec3, 3>& x, double radius);
-TriangleShare share_by_long_boundary(const std::array<Vec3, 3>& x, double radius);
-TriangleShare share_of_simplex(const std::array<Vec3, 3>& x, double radius);
-}  // namespace detail
 
 }  // namespace kappa
