@@ -6,18 +6,19 @@
 
 namespace kappa {
 
+/// Why a call cannot be served.
 enum class ErrorCode {
   InvalidArgument,  ///< a parameter is out of its range
-  InvalidData,      ///< points, normals or faces that no result can be had from
-  FileNotFound,
-  FileFormat,  ///< malformed, or a format or variant that is not read
-  FileWrite,
-  Unavailable,  ///< something the machine lacks, such as a display
-  Cancelled     ///< stopped by `Execution::cancel`; only in a Status, since a call that may throw throws `Cancelled`
+  InvalidData,      ///< the points, normals or faces give no result
+  FileNotFound,     ///< there is no such file, or it may not be read
+  FileFormat,       ///< the file is malformed, or its format or variant is not read
+  FileWrite,        ///< the file cannot be written
+  Unavailable,      ///< the machine lacks something, such as a display
+  Cancelled  ///< `Execution::cancel` was raised. Only a Status has this code; a call that throws, throws `Cancelled`
 };
 
-/// A call that cannot be served. The message names what was wrong (parameter or
-/// file, value) and what to do about it, in one sentence fit for a user.
+/// Thrown by a call that cannot be served. The message is one sentence for a user: it names the parameter or the file,
+/// its value, and what to do about it.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -47,13 +48,13 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Outcome of a call on an interface that must not throw (the PCL adaptor).
+/// The outcome of a call through an interface that must not throw, such as the PCL class.
 class Status {
  public:
   Status() = default;
   Status(ErrorCode code, std::string message) : ok_(false), code_(code), message_(std::move(message)) {}
   bool ok() const noexcept { return ok_; }
-  /// Meaningful only if not ok().
+  /// The code of the failure. It has no meaning if ok().
   ErrorCode code() const noexcept { return code_; }
   const std::string& message() const noexcept { return message_; }
 

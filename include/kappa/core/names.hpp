@@ -20,7 +20,7 @@ struct Named {
   const char* meaning;
 };
 
-/// The word for `value` in the table of its enum; "" for a value that the table lacks.
+/// The word for `value` in the table of its enum. It is "" if the table lacks the value.
 template <class Enum, class = std::enable_if_t<std::is_enum_v<Enum>>>
 const char* name(Enum value) {
   for (const Named<Enum>& named : names_of(value)) {

@@ -15,19 +15,18 @@ using Vec3 = Eigen::Vector3d;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 
-/// Index of a vertex, point or face.
+/// The index of a vertex, point or face.
 using Index = std::uint32_t;
+/// Stands where there is no index.
 inline constexpr Index kNoIndex = std::numeric_limits<Index>::max();
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// Corrected unit normals `u`, one a vertex or point; the zero vector where a
-/// point has none.
+/// Corrected unit normals `u`, one for each vertex or point. The zero vector stands where a point has none.
 using Normals = std::vector<Vec3>;
 
-/// Whether a point has a curvature, and if not, why. The values are those of the
-/// output field `status`.
+/// Whether a point has a curvature, and if not, why. The numbers are the values of the field `status` in files.
 enum class PointStatus : std::uint8_t {
   Valid = 0,
   Empty = 1,       ///< no face in the ball
@@ -36,7 +35,7 @@ enum class PointStatus : std::uint8_t {
   Border = 4       ///< the faces fill less of the ball than was asked for
 };
 
-/// True if all three coordinates are finite.
+/// Whether all three coordinates are finite.
 inline bool is_finite(const Vec3& v) {
   return v.allFinite();
 }
