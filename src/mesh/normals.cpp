@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/topology.hpp"
 
@@ -74,7 +75,27 @@ Vec3 averaged(const Normals& from, const Adjacency& near, Index v) {
   return sum.stableNorm() <= kCancelled * votes ? own : unit_or_zero(sum);
 }
 
+/// What `change` makes of each normal.
+template <class Change>
+Normals changed(const Normals& normals, const Execution& run, const Change& change) {
+  Normals result(normals.size());
+  parallel_for(normals.size(), kBlock, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) result[i] = change(normals[i]);
+  });
+  return result;
+}
+
 }  // namespace
+
+const std::vector<Named<NormalWeights>>& names_of(NormalWeights) {
+  static const std::vector<Named<NormalWeights>> names = {
+      {NormalWeights::Uniform, "geometric", "every face counts as much"},
+      {NormalWeights::Area, "area", "by the area of the face"},
+      {NormalWeights::Angle, "angle", "by the angle of the face at the vertex"},
+      {NormalWeights::Max, "max", "exact on spheres"},
+  };
+  return names;
+}
 
 Vec3 polygon_vector_area(const Mesh& mesh, std::size_t face) {
   const Faces::View corners = mesh.faces[face];
@@ -86,12 +107,12 @@ Vec3 polygon_vector_area(const Mesh& mesh, std::size_t face) {
 }
 
 Normals vertex_normals(const Mesh& mesh, NormalWeights weights, const Execution& run) {
-  validate(mesh);
+  validate(mesh, stage(run, 0.0, 0.05));
   std::vector<Vec3> vector_areas(mesh.faces.size());
-  parallel_for(mesh.faces.size(), kBlock, stage(run, 0.0, 0.3), [&](std::size_t begin, std::size_t end, int) {
+  parallel_for(mesh.faces.size(), kBlock, stage(run, 0.05, 0.3), [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t f = begin; f < end; ++f) vector_areas[f] = polygon_vector_area(mesh, f);
   });
-  const Adjacency around = faces_of_vertices(mesh);
+  const Adjacency around = faces_of_vertices(mesh, stage(run, 0.3, 0.5));
   Normals normals(mesh.vertices.size());
   parallel_for(normals.size(), kBlock, stage(run, 0.5, 1.0), [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t v = begin; v < end; ++v)
@@ -103,16 +124,15 @@ Normals vertex_normals(const Mesh& mesh, NormalWeights weights, const Execution&
 Normals average_normals(const Mesh& mesh, const Normals& normals, int passes, const Execution& run) {
   if (passes < 0)
     throw Error(ErrorCode::InvalidArgument, "averaging passes = " + std::to_string(passes) + ": give 0 or more");
-  if (normals.size() != mesh.vertices.size())
-    throw Error(ErrorCode::InvalidArgument, std::to_string(normals.size()) + " normals for " +
-                                                std::to_string(mesh.vertices.size()) + " vertices: give one a vertex");
-  validate(mesh);
+  check_one_each(normals.size(), "normal", mesh.vertices.size(), "vertex");
+  validate(mesh, stage(run, 0.0, 0.05));
   Normals from = normals;
   if (passes == 0) return from;
-  const Adjacency near = vertex_neighbours(mesh);
+  const Adjacency near = vertex_neighbours(mesh, stage(run, 0.05, 0.4));
   Normals to(normals.size());
+  const Execution rest = stage(run, 0.4, 1.0);
   for (int pass = 0; pass < passes; ++pass) {
-    const Execution part = stage(run, static_cast<double>(pass) / passes, static_cast<double>(pass + 1) / passes);
+    const Execution part = stage(rest, static_cast<double>(pass) / passes, static_cast<double>(pass + 1) / passes);
     parallel_for(to.size(), kBlock, part, [&](std::size_t begin, std::size_t end, int) {
       for (std::size_t v = begin; v < end; ++v) to[v] = averaged(from, near, static_cast<Index>(v));
     });
@@ -121,16 +141,12 @@ Normals average_normals(const Mesh& mesh, const Normals& normals, int passes, co
   return from;
 }
 
-Normals normalised(const Normals& normals) {
-  Normals result(normals.size());
-  std::transform(normals.begin(), normals.end(), result.begin(), unit_or_zero);
-  return result;
+Normals normalised(const Normals& normals, const Execution& run) {
+  return changed(normals, run, unit_or_zero);
 }
 
-Normals flipped(const Normals& normals) {
-  Normals result(normals.size());
-  std::transform(normals.begin(), normals.end(), result.begin(), [](const Vec3& u) { return Vec3(-u); });
-  return result;
+Normals flipped(const Normals& normals, const Execution& run) {
+  return changed(normals, run, [](const Vec3& u) { return Vec3(-u); });
 }
 
 }  // namespace kappa

@@ -8,6 +8,7 @@
 
 #include "kappa/core/error.hpp"
 #include "kappa/mesh/topology.hpp"
+#include "support/expect_names.hpp"
 #include "support/shapes.hpp"
 
 namespace kappa {
@@ -15,6 +16,10 @@ namespace {
 
 constexpr std::array<NormalWeights, 4> kAll = {NormalWeights::Uniform, NormalWeights::Area, NormalWeights::Angle,
                                                NormalWeights::Max};
+
+TEST(NormalWeights, HaveTheWordsOfTheCommandLine) {
+  test::expect_names<NormalWeights>({"geometric", "area", "angle", "max"});
+}
 
 TEST(VertexNormals, MaxIsExactOnSpheres) {
   shapes::Shape s = shapes::sphere(2.5, 3);

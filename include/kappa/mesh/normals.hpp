@@ -1,38 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "kappa/core/execution.hpp"
+#include "kappa/core/names.hpp"
 #include "kappa/mesh/mesh.hpp"
 
 namespace kappa {
 
-/// Weight of a face in the normal of its vertices (section 5 of the SGP 2020 paper).
+/// The weight of a face in the normal of a vertex (Section 5 of the paper that `Measures` names). The edges a and b of
+/// the face leave the vertex.
 enum class NormalWeights {
-  Uniform,  ///< plain average of the unit normals, the paper's GEOM
-  Area,     ///< area of the face
-  Angle,    ///< angle of the face at the vertex
-  Max       ///< |a x b| / (|a|^2 |b|^2), exact on spheres (Max 1999), the paper's GEOM-MAX
+  Uniform,  ///< 1, the paper's GEOM
+  Area,     ///< the area of the face
+  Angle,    ///< the angle between a and b
+  Max       ///< |a x b| / (|a|^2 |b|^2), which is exact on spheres (Max, J. Graphics Tools 4(2), 1999); GEOM-MAX
 };
 
-/// Vector area of a polygon: half the sum of the cross products of its corners relative to the first.
+/// The words for the weights: geometric, area, angle, max.
+const std::vector<Named<NormalWeights>>& names_of(NormalWeights);
+
+/// The vector area of a face: half the sum of the cross products of its edges from the first corner. Its length is the
+/// area of a plane face, and it points along the normal.
 Vec3 polygon_vector_area(const Mesh& mesh, std::size_t face);
 
-/// Unit normals of the vertices from those of the faces around them, #V. A face counts with its
-/// weight; a face of zero area does not vote; a vertex that no face votes for, or whose votes
-/// cancel to 1e-12 of their sum, gets the zero vector. Faces with a corner that is not finite are left out.
-/// @throws Error InvalidData as `validate` does.
+/// The unit normals of the vertices: the sum of the unit normals of the faces around a vertex, each multiplied by the
+/// weight of the face and by `weights`, made a unit vector. The result has one normal for each vertex.
+///
+/// A face that has no area, or a corner that is not finite, does not vote. The normal is the zero vector where no face
+/// votes, and where the votes cancel each other to 1e-12 of the sum of their sizes.
+/// @throws Error InvalidData as `validate` does; Cancelled.
 Normals vertex_normals(const Mesh& mesh, NormalWeights weights, const Execution& run = {});
 
-/// `passes` passes of u_i <- normalise(u_i + sum of u_j over the edge neighbours j), all at once
-/// (Jacobi). Zero and non-finite normals do not vote and stay as they are, as does a normal that its neighbours cancel
-/// to 1e-12.
-/// @throws Error InvalidArgument if passes is negative or normals.size() differs from #V, InvalidData as `validate`.
+/// Averages normals over the mesh: `passes` times, all vertices at once, u_i becomes u_i + sum of u_j, made a unit
+/// vector, where j are the neighbours of vertex i along edges.
+///
+/// A normal that is zero or not finite stays as it is and does not vote. A normal also stays where the sum cancels to
+/// 1e-12 of the sum of the sizes.
+/// @throws Error InvalidArgument if `passes` is negative or there is not one normal for each vertex, InvalidData as
+/// `validate` does; Cancelled.
 Normals average_normals(const Mesh& mesh, const Normals& normals, int passes, const Execution& run = {});
 
-/// Unit vectors along `normals`; the zero vector for those that are zero or not finite.
-Normals normalised(const Normals& normals);
+/// The unit vectors along `normals`. A normal that is zero or not finite gives the zero vector.
+/// @throws Cancelled.
+Normals normalised(const Normals& normals, const Execution& run = {});
 
-/// Opposite normals.
-Normals flipped(const Normals& normals);
+/// The opposite normals.
+/// @throws Cancelled.
+Normals flipped(const Normals& normals, const Execution& run = {});
 
 }  // namespace kappa
