@@ -2,13 +2,12 @@
 #include "kappa/core/spatial_order.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 #include "kappa/core/bounds.hpp"
 #include "parallel_bounds.hpp"
+#include "sort_by_key.hpp"
 
 namespace kappa {
 namespace {
@@ -31,39 +30,6 @@ std::uint64_t morton_code(const Vec3& p, const Bounds& b, double extent) {
     code |= spread_bits(static_cast<std::uint64_t>(cell)) << axis;
   }
   return code;
-}
-
-struct Keyed {
-  std::uint64_t key;
-  Index index;
-};
-
-/// Sorts by key and leaves the order of equal keys: digit by digit, the last first, but for digits that are the same in
-/// all keys.
-void sort_by_key(std::vector<Keyed>& keyed, const Execution& run) {
-  constexpr int kBits = 11, kPasses = 6;  // of 64 bits
-  constexpr std::size_t kDigits = std::size_t{1} << kBits;
-  const auto less = [](const Keyed& a, const Keyed& b) { return a.key < b.key; };
-  if (std::is_sorted(keyed.begin(), keyed.end(), less)) return;
-  if (keyed.size() < kDigits) {
-    std::stable_sort(keyed.begin(), keyed.end(), less);
-    return;
-  }
-  const auto digit = [](const Keyed& entry, int pass) { return entry.key >> kBits * pass & (kDigits - 1); };
-  std::vector<std::array<Index, kDigits>> places(kPasses);  // of each digit, how many there are; then where they start
-  for (const Keyed& entry : keyed) {
-    for (int pass = 0; pass < kPasses; ++pass) ++places[static_cast<std::size_t>(pass)][digit(entry, pass)];
-  }
-  std::vector<Keyed> sorted(keyed.size());
-  for (int pass = 0; pass < kPasses; ++pass) {
-    report_progress(run, static_cast<double>(pass) / kPasses);
-    auto& first = places[static_cast<std::size_t>(pass)];
-    if (first[digit(keyed[0], pass)] == keyed.size()) continue;
-    Index before = 0;
-    for (Index& place : first) before += std::exchange(place, before);
-    for (const Keyed& entry : keyed) sorted[first[digit(entry, pass)]++] = entry;
-    keyed.swap(sorted);
-  }
 }
 
 }  // namespace

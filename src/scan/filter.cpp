@@ -6,12 +6,14 @@
 #include <map>
 
 #include "kappa/core/bounds.hpp"
+#include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa {
-
 namespace {
+
+constexpr std::size_t kBlock = 16384;
 
 /// A name without what files write differently: ReturnNumber, return_number.
 std::string plain(const std::string& name) {
@@ -31,7 +33,7 @@ const Field* find_field(const Scan& scan, const std::vector<std::string>& plain_
   return nullptr;
 }
 
-std::string names_of(const std::vector<Field>& fields) {
+std::string listed(const std::vector<Field>& fields) {
   std::string names;
   for (const Field& field : fields) names += (names.empty() ? "" : " ") + field.name;
   return names.empty() ? "none" : names;
@@ -41,7 +43,7 @@ const Field& need_field(const Scan& scan, const std::vector<std::string>& plain_
                         const std::string& path) {
   if (const Field* field = find_field(scan, plain_names)) return *field;
   throw Error(ErrorCode::InvalidData, "'" + path + "': its points have no " + what + " to be selected by (fields: " +
-                                          names_of(scan.fields) + "); leave the filter out");
+                                          listed(scan.fields) + "); leave the filter out");
 }
 
 /// "2 (35123 points), 1 (3244 points)".
@@ -65,45 +67,48 @@ class Selection {
   Selection(const Scan& scan, const PointFilter& filter, const std::string& path)
       : scan_(scan), filter_(filter), path_(path), kept_(scan.points.size(), 1) {}
 
-  FilterCounts run() {
-    // In a grid they stay, and are counted by those who measure.
-    const std::size_t unplaced = drop([&](std::size_t i) { return is_finite(scan_.points[i]); }, "");
+  FilterCounts run(const Execution& run) {
+    const std::size_t unplaced =
+        drop([&](std::size_t i) { return is_finite(scan_.points[i]); }, "", stage(run, 0.0, 0.25));
+    // Points without a position stay in a grid; whoever measures counts them.
     if (!scan_.is_organised()) counts_.unplaced = unplaced;
-    if (!filter_.classes.empty()) by_class();
-    if (filter_.returns != Returns::All) by_returns();
-    if (filter_.bounds) by_bounds();
+    if (!filter_.classes.empty()) by_class(stage(run, 0.25, 0.5));
+    if (filter_.returns != Returns::All) by_returns(stage(run, 0.5, 0.75));
+    if (filter_.bounds) by_bounds(stage(run, 0.75, 1.0));
     return counts_;
   }
 
   const std::vector<char>& kept() const { return kept_; }
 
  private:
-  /// Takes away every point that `stays` refuses; none may be all, for which `hint` gives the remedy.
+  /// Takes away every point that `stays` refuses, and counts them. One must be left; else the message ends with `hint`.
   template <class Stays>
-  std::size_t drop(Stays&& stays, const std::string& hint) {
+  std::size_t drop(const Stays& stays, const std::string& hint, const Execution& run) {
     std::size_t dropped = 0, left = 0;
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-      if (!kept_[i]) continue;
-      const bool goes = !stays(i);
-      dropped += goes;
-      left += !goes;
-      if (goes) kept_[i] = 0;
-    }
+    serial_for(kept_.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (!kept_[i]) continue;
+        const bool goes = !stays(i);
+        dropped += goes;
+        left += !goes;
+        if (goes) kept_[i] = 0;
+      }
+    });
     if (left == 0) throw Error(ErrorCode::InvalidData, "'" + path_ + "': no point is left" + hint);
     return dropped;
   }
 
-  void by_class() {
+  void by_class(const Execution& run) {
     const Field& field = need_field(scan_, {"classification", "class"}, "classification", path_);
     const std::vector<int>& classes = filter_.classes;
     counts_.by_class = drop(
         [&](std::size_t i) {
           return std::any_of(classes.begin(), classes.end(), [&](int c) { return field.values[i] == c; });
         },
-        " by the selection of classes: it has " + classes_in(field));
+        " by the selection of classes: it has " + classes_in(field), run);
   }
 
-  void by_returns() {
+  void by_returns(const Execution& run) {
     const Field& number = need_field(scan_, {"returnnumber"}, "return number", path_);
     const auto is_unset = [](double value) { return value == 0; };
     if (std::all_of(number.values.begin(), number.values.end(), is_unset)) {
@@ -111,15 +116,15 @@ class Selection {
                   "'" + path_ + "': its return numbers are all 0, so they were not recorded: select all returns");
     }
     if (filter_.returns == Returns::First) {
-      counts_.by_returns = drop([&](std::size_t i) { return number.values[i] == 1; }, ": it has no first return");
+      counts_.by_returns = drop([&](std::size_t i) { return number.values[i] == 1; }, ": it has no first return", run);
       return;
     }
     const Field& of = need_field(scan_, {"numberofreturns"}, "number of returns", path_);
     counts_.by_returns =
-        drop([&](std::size_t i) { return number.values[i] == of.values[i]; }, ": it has no last return");
+        drop([&](std::size_t i) { return number.values[i] == of.values[i]; }, ": it has no last return", run);
   }
 
-  void by_bounds() {
+  void by_bounds(const Execution& run) {
     if (!((filter_.bounds->min.array() <= filter_.bounds->max.array()).all())) {
       throw Error(ErrorCode::InvalidArgument, "'" + path_ +
                                                   "': its points cannot be selected by bounds of which a "
@@ -134,8 +139,9 @@ class Selection {
       const auto p = scan_.points[i].array();
       return (p >= low.array()).all() && (p <= high.array()).all();
     };
-    counts_.by_bounds = drop(inside, " within the bounds: its points are between " + corner(bounds(scan_.points).min) +
-                                         " and " + corner(bounds(scan_.points).max));
+    const Bounds box = bounds(scan_.points);
+    counts_.by_bounds =
+        drop(inside, " within the bounds: its points are between " + corner(box.min) + " and " + corner(box.max), run);
   }
 
   /// A bound relative to the origin, moved outwards by what the coordinates of the file are rounded by.
@@ -160,9 +166,11 @@ class Selection {
 }  // namespace
 
 const std::vector<Named<Returns>>& names_of(Returns) {
-  static const std::vector<Named<Returns>> names = {{Returns::All, "all", "all returns"},
-                                                    {Returns::First, "first", "the first return of each pulse"},
-                                                    {Returns::Last, "last", "the last return of each pulse"}};
+  static const std::vector<Named<Returns>> names = {
+      {Returns::All, "all", "every return"},
+      {Returns::First, "first", "the first return of each pulse"},
+      {Returns::Last, "last", "the last return of each pulse"},
+  };
   return names;
 }
 
@@ -201,30 +209,30 @@ std::vector<Index> find_withheld(const Scan& scan) {
   return found;
 }
 
-FilterCounts select_points(Scan& scan, const PointFilter& filter, const std::string& path) {
+FilterCounts select_points(Scan& scan, const PointFilter& filter, const std::string& path, const Execution& run) {
   if (filter.classes.empty() && filter.returns == Returns::All && !filter.bounds) return {};
   Selection selection(scan, filter, path);
-  const FilterCounts counts = selection.run();
-  leave_out(scan, selection.kept());
+  const FilterCounts counts = selection.run(stage(run, 0.0, 0.5));
+  leave_out(scan, selection.kept(), stage(run, 0.5, 1.0));
   return counts;
 }
 
-void leave_out(Scan& scan, const std::vector<char>& kept) {
-  if (kept.size() != scan.points.size()) {
-    throw Error(ErrorCode::InvalidArgument, std::to_string(kept.size()) + " marks for " +
-                                                std::to_string(scan.points.size()) + " points: give one a point");
-  }
+void leave_out(Scan& scan, const std::vector<char>& kept, const Execution& run) {
+  check_one_each(kept.size(), "mark", scan.points.size(), "point");
   if (scan.is_organised() && !scan.is_mesh()) {
+    report_progress(run, 1.0);
     for (std::size_t i = 0; i < kept.size(); ++i) {
       if (!kept[i]) scan.points[i].setConstant(kNaN);
     }
     return;
   }
   std::vector<Index> indices;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i]) indices.push_back(static_cast<Index>(i));
-  }
-  if (indices.size() < kept.size() || scan.is_mesh()) keep_points(scan, indices);
+  serial_for(kept.size(), kBlock, stage(run, 0.0, 0.2), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (kept[i]) indices.push_back(static_cast<Index>(i));
+    }
+  });
+  if (indices.size() < kept.size() || scan.is_mesh()) keep_points(scan, indices, stage(run, 0.2, 1.0));
 }
 
 }  // namespace kappa

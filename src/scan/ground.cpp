@@ -13,6 +13,8 @@
 namespace kappa {
 namespace {
 
+constexpr std::size_t kBlock = 4096, kRowsAtOnce = 16;
+
 void check(const char* name, double value, bool may_be_zero) {
   if (std::isfinite(value) && (value > 0 || (may_be_zero && value == 0))) return;
   throw Error(ErrorCode::InvalidArgument, std::string("the ground filter's ") + name + " is " + std::to_string(value) +
@@ -50,13 +52,16 @@ class Plan {
   double y(const Vec3& p) const { return (p.y() - corner_.y()) / cell_; }
 
   /// Heights of the lowest points.
-  HeightGrid lowest(const std::vector<Vec3>& points) const {
+  HeightGrid lowest(const std::vector<Vec3>& points, const Execution& run) const {
     HeightGrid grid(columns_, rows_);
-    for (const Vec3& p : points) {
-      if (!is_finite(p)) continue;
-      double& z = grid.at(static_cast<std::size_t>(x(p)), static_cast<std::size_t>(y(p)));
-      if (!(z <= p.z())) z = p.z();
-    }
+    serial_for(points.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Vec3& p = points[i];
+        if (!is_finite(p)) continue;
+        double& z = grid.at(static_cast<std::size_t>(x(p)), static_cast<std::size_t>(y(p)));
+        if (!(z <= p.z())) z = p.z();
+      }
+    });
     return grid;
   }
 
@@ -78,12 +83,14 @@ std::vector<std::size_t> radii_up_to(std::size_t largest) {
 std::vector<char> find_objects(HeightGrid surface, double rise, std::size_t largest, const Execution& run) {
   std::vector<char> objects(surface.z.size(), 0);
   const std::vector<std::size_t> radii = radii_up_to(largest);
+  const double parts = static_cast<double>(radii.size());
   for (std::size_t k = 0; k < radii.size(); ++k) {
-    HeightGrid next = opened(surface, radii[k], run);
+    const Execution part = stage(run, static_cast<double>(k) / parts, static_cast<double>(k + 1) / parts);
+    HeightGrid next = opened(surface, radii[k], stage(part, 0.0, 0.9));
     const double most = rise * static_cast<double>(radii[k]);
-    for (std::size_t i = 0; i < objects.size(); ++i) {
+    for_each_cell(surface, stage(part, 0.9, 1.0), [&](std::size_t i) {
       if (surface.z[i] - next.z[i] > most) objects[i] = 1;
-    }
+    });
     surface = std::move(next);
   }
   return objects;
@@ -92,34 +99,36 @@ std::vector<char> find_objects(HeightGrid surface, double rise, std::size_t larg
 /// Cells far below their neighbours: the objects of the surface upside down.
 std::vector<char> find_false_echoes(HeightGrid surface, double cell, const Execution& run) {
   constexpr double kSteepest = 5;
-  for (double& z : surface.z) z = -z;
-  return find_objects(std::move(surface), kSteepest * cell, 1, run);
+  negate(surface, stage(run, 0.0, 0.1));
+  return find_objects(std::move(surface), kSteepest * cell, 1, stage(run, 0.1, 1.0));
 }
 
-void clear(HeightGrid& surface, const std::vector<char>& cells) {
+void clear(HeightGrid& surface, const std::vector<char>& cells, const Execution& run) {
   if (std::find(cells.begin(), cells.end(), 0) == cells.end()) return;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for_each_cell(surface, run, [&](std::size_t i) {
     if (cells[i]) surface.z[i] = kNaN;
-  }
+  });
 }
 
 /// The ground at the middles of the cells.
 HeightGrid ground_surface(HeightGrid lowest, const GroundOptions& options, const Execution& run) {
   HeightGrid full = lowest;
-  fill(full);
-  clear(lowest, find_false_echoes(full, options.cell, stage(run, 0.0, 0.1)));
+  fill(full, stage(run, 0.0, 0.1));
+  clear(lowest, find_false_echoes(full, options.cell, stage(run, 0.1, 0.2)), stage(run, 0.2, 0.2));
   full = lowest;
-  fill(full);
+  fill(full, stage(run, 0.2, 0.3));
   const auto largest = static_cast<std::size_t>(std::ceil(options.window / options.cell));
-  clear(lowest, find_objects(std::move(full), options.slope * options.cell, largest, stage(run, 0.1, 0.9)));
-  fill(lowest);
+  const std::vector<char> objects =
+      find_objects(std::move(full), options.slope * options.cell, largest, stage(run, 0.3, 0.9));
+  clear(lowest, objects, stage(run, 0.9, 0.9));
+  fill(lowest, stage(run, 0.9, 1.0));
   return lowest;
 }
 
 /// Rise over run, by central differences.
-HeightGrid slope_of(const HeightGrid& surface, double cell) {
+HeightGrid slope_of(const HeightGrid& surface, double cell, const Execution& run) {
   HeightGrid slope(surface.columns, surface.rows);
-  for (std::size_t y = 0; y < surface.rows; ++y) {
+  const auto of_row = [&](std::size_t y) {
     const std::size_t below = y > 0 ? y - 1 : y, above = std::min(y + 1, surface.rows - 1);
     for (std::size_t x = 0; x < surface.columns; ++x) {
       const std::size_t left = x > 0 ? x - 1 : x, right = std::min(x + 1, surface.columns - 1);
@@ -128,7 +137,10 @@ HeightGrid slope_of(const HeightGrid& surface, double cell) {
       slope.at(x, y) = std::hypot((surface.at(right, y) - surface.at(left, y)) / across,
                                   (surface.at(x, above) - surface.at(x, below)) / along);
     }
-  }
+  };
+  parallel_for(surface.rows, kRowsAtOnce, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t y = begin; y < end; ++y) of_row(y);
+  });
   return slope;
 }
 
@@ -136,18 +148,19 @@ HeightGrid slope_of(const HeightGrid& surface, double cell) {
 
 const std::vector<Named<GroundMethod>>& names_of(GroundMethod) {
   static const std::vector<Named<GroundMethod>> names = {
-      {GroundMethod::Morphological, "smrf", "a simple morphological filter"},
-      {GroundMethod::Progressive, "pmf", "PCL's progressive morphological filter"}};
+      {GroundMethod::Morphological, "smrf", "simple morphological filter"},
+      {GroundMethod::Progressive, "pmf", "progressive morphological filter of PCL"},
+  };
   return names;
 }
 
 std::vector<char> find_ground(const std::vector<Vec3>& points, const GroundOptions& options, const Execution& run) {
   check(options);
   const Plan plan(points, options.cell);
-  const HeightGrid surface = ground_surface(plan.lowest(points), options, run);
-  const HeightGrid slope = slope_of(surface, options.cell);
+  const HeightGrid surface =
+      ground_surface(plan.lowest(points, stage(run, 0.0, 0.05)), options, stage(run, 0.05, 0.85));
+  const HeightGrid slope = slope_of(surface, options.cell, stage(run, 0.85, 0.9));
   std::vector<char> ground(points.size(), 0);
-  constexpr std::size_t kBlock = 4096;
   parallel_for(points.size(), kBlock, stage(run, 0.9, 1.0), [&](std::size_t begin, std::size_t end, int) {
     for (std::size_t i = begin; i < end; ++i) {
       if (!is_finite(points[i])) continue;

@@ -72,27 +72,29 @@ HeightGrid eroded(const HeightGrid& in, std::size_t radius, const Execution& run
   return out;
 }
 
-void negate(HeightGrid& grid) {
-  for (double& z : grid.z) z = -z;
+/// Mean of the known cells in a block of two by two; NaN if there is none.
+double mean_of_block(const HeightGrid& fine, std::size_t column, std::size_t row) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t y = 2 * row; y < std::min(2 * row + 2, fine.rows); ++y) {
+    for (std::size_t x = 2 * column; x < std::min(2 * column + 2, fine.columns); ++x) {
+      if (std::isnan(fine.at(x, y))) continue;
+      sum += fine.at(x, y);
+      ++count;
+    }
+  }
+  return count ? sum / count : kNaN;
 }
 
 /// Means of the known cells in blocks of two by two.
-HeightGrid coarser(const HeightGrid& fine) {
+HeightGrid coarser(const HeightGrid& fine, const Execution& run) {
   HeightGrid coarse((fine.columns + 1) / 2, (fine.rows + 1) / 2);
-  for (std::size_t row = 0; row < coarse.rows; ++row) {
-    for (std::size_t column = 0; column < coarse.columns; ++column) {
-      double sum = 0;
-      int count = 0;
-      for (std::size_t y = 2 * row; y < std::min(2 * row + 2, fine.rows); ++y) {
-        for (std::size_t x = 2 * column; x < std::min(2 * column + 2, fine.columns); ++x) {
-          if (std::isnan(fine.at(x, y))) continue;
-          sum += fine.at(x, y);
-          ++count;
-        }
-      }
-      if (count) coarse.at(column, row) = sum / count;
+  parallel_for(coarse.rows, kRowsAtOnce, run, [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t row = begin; row < end; ++row) {
+      for (std::size_t column = 0; column < coarse.columns; ++column)
+        coarse.at(column, row) = mean_of_block(fine, column, row);
     }
-  }
+  });
   return coarse;
 }
 
@@ -111,15 +113,19 @@ double mean_of_neighbours(const HeightGrid& g, std::size_t x, std::size_t y) {
 }
 
 /// Relaxes the cells `holes` towards the mean of their neighbours, and beyond, which is faster.
-void smooth_holes(HeightGrid& surface, const std::vector<std::size_t>& holes) {
+void smooth_holes(HeightGrid& surface, const std::vector<std::size_t>& holes, const Execution& run) {
   constexpr int kSweeps = 16;
+  constexpr std::size_t kBlock = 16384;
   constexpr double kBeyond = 1.5;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (std::size_t k = 0; k < holes.size(); ++k) {
-      const std::size_t i = sweep % 2 ? holes[holes.size() - 1 - k] : holes[k];
-      const double mean = mean_of_neighbours(surface, i % surface.columns, i / surface.columns);
-      surface.z[i] += kBeyond * (mean - surface.z[i]);
-    }
+    const Execution part = stage(run, static_cast<double>(sweep) / kSweeps, static_cast<double>(sweep + 1) / kSweeps);
+    serial_for(holes.size(), kBlock, part, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::size_t i = sweep % 2 ? holes[holes.size() - 1 - k] : holes[k];
+        const double mean = mean_of_neighbours(surface, i % surface.columns, i / surface.columns);
+        surface.z[i] += kBeyond * (mean - surface.z[i]);
+      }
+    });
   }
 }
 
@@ -134,28 +140,37 @@ double HeightGrid::interpolate(double x, double y) const {
   return (1 - t) * ((1 - s) * at(i, j) + s * at(i1, j)) + t * ((1 - s) * at(i, j1) + s * at(i1, j1));
 }
 
+void negate(HeightGrid& grid, const Execution& run) {
+  for_each_cell(grid, run, [&](std::size_t i) { grid.z[i] = -grid.z[i]; });
+}
+
 HeightGrid opened(const HeightGrid& surface, std::size_t radius, const Execution& run) {
-  HeightGrid low = eroded(surface, radius, run);
-  negate(low);
-  HeightGrid high = eroded(low, radius, run);
-  negate(high);
+  HeightGrid low = eroded(surface, radius, stage(run, 0.0, 0.45));
+  negate(low, stage(run, 0.45, 0.5));
+  HeightGrid high = eroded(low, radius, stage(run, 0.5, 0.95));
+  negate(high, stage(run, 0.95, 1.0));
   return high;
 }
 
-void fill(HeightGrid& surface) {
+void fill(HeightGrid& surface, const Execution& run) {
+  constexpr std::size_t kBlock = 16384;
   std::vector<std::size_t> holes;
-  for (std::size_t i = 0; i < surface.z.size(); ++i) {
-    if (std::isnan(surface.z[i])) holes.push_back(i);
-  }
+  serial_for(surface.z.size(), kBlock, stage(run, 0.0, 0.1), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (std::isnan(surface.z[i])) holes.push_back(i);
+    }
+  });
   if (holes.empty() || holes.size() == surface.z.size()) return;
-  HeightGrid coarse = coarser(surface);
-  fill(coarse);
-  for (const std::size_t i : holes) {
-    const std::size_t column = i % surface.columns, row = i / surface.columns;
-    const auto x = static_cast<double>(column), y = static_cast<double>(row);
-    surface.z[i] = coarse.interpolate(0.5 * (x - 0.5), 0.5 * (y - 0.5));
-  }
-  smooth_holes(surface, holes);
+  HeightGrid coarse = coarser(surface, stage(run, 0.1, 0.2));
+  fill(coarse, stage(run, 0.2, 0.4));
+  parallel_for(holes.size(), kBlock, stage(run, 0.4, 0.5), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = holes[k], column = i % surface.columns, row = i / surface.columns;
+      const auto x = static_cast<double>(column), y = static_cast<double>(row);
+      surface.z[i] = coarse.interpolate(0.5 * (x - 0.5), 0.5 * (y - 0.5));
+    }
+  });
+  smooth_holes(surface, holes, stage(run, 0.5, 1.0));
 }
 
 }  // namespace kappa

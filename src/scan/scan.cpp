@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
@@ -52,22 +53,38 @@ void move_to_local_origin(Scan& scan) {
   scan.origin += shift;
 }
 
-Mesh mesh_of(const Scan& scan) {
+Mesh mesh_of(const Scan& scan, const Execution& run) {
   if (!scan.is_mesh()) throw Error(ErrorCode::InvalidData, "the data has no faces; triangulate the points first");
   Mesh mesh;
   mesh.origin = scan.origin;
   mesh.vertices = scan.points;
+  report_progress(run, 0.3);
   mesh.faces = scan.faces;
+  report_progress(run, 1.0);
   return mesh;
 }
 
-void keep_points(Scan& scan, const std::vector<Index>& kept) {
+void keep_points(Scan& scan, const std::vector<Index>& kept, const Execution& run) {
   check_records(scan);
   check_kept(scan, kept);
-  if (scan.records) scan.records = scan.records->picked(kept);
-  scan.normals = gathered(scan.normals, kept);
-  for (Field& field : scan.fields) field.values = gathered(field.values, kept);
-  scan.points = gathered(scan.points, kept);
+  double part = 0;
+  const double parts = static_cast<double>(scan.fields.size() + 3);
+  const auto next = [&] {
+    const double from = part++;
+    return stage(run, from / parts, part / parts);
+  };
+  // All that is kept is gathered beside the scan first: whoever cancels finds the scan as it was.
+  const auto records = scan.records ? scan.records->picked(kept, next()) : nullptr;
+  Normals normals = gathered(scan.normals, kept, next());
+  std::vector<Vec3> points = gathered(scan.points, kept, next());
+  std::vector<std::vector<double>> values;
+  for (const Field& field : scan.fields) values.push_back(gathered(field.values, kept, next()));
+  report_progress(run, 1.0);
+
+  scan.records = records;
+  scan.normals = std::move(normals);
+  scan.points = std::move(points);
+  for (std::size_t f = 0; f < values.size(); ++f) scan.fields[f].values = std::move(values[f]);
   scan.width = kept.size();
   scan.height = 1;
 }

@@ -5,26 +5,23 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
+#include "core/sort_by_key.hpp"
 #include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa {
-
 namespace {
 
-/// A point and the number of its cell.
-using Celled = std::pair<std::uint64_t, Index>;
+constexpr std::size_t kBlock = 16384;
 
+/// The cells of a grid over a box, and their numbers.
 class Cells {
  public:
-  Cells(const std::vector<Vec3>& points, const Vec3& cell, const std::string& path)
-      : least_(bounds(points).min), cell_(cell) {
+  Cells(const Bounds& box, const Vec3& cell, const std::string& path) : least_(box.min), cell_(cell) {
     constexpr double kMost = 0x1p62;
     double total = 1;
-    const Bounds box = bounds(points);
     for (int axis = 0; axis < 3; ++axis) {
       const double count = std::floor(position(box.max, axis)) + 1;
       total *= count;
@@ -53,50 +50,68 @@ class Cells {
   std::array<std::uint64_t, 3> count_{};
 };
 
-std::vector<Celled> sorted_by_cell(const std::vector<Vec3>& points, const Cells& cells) {
-  std::vector<Celled> sorted;
+/// The points that have a position, by their cells, those of a cell in their order.
+std::vector<Keyed> sorted_by_cell(const std::vector<Vec3>& points, const Cells& cells, const Execution& run) {
+  std::vector<Keyed> sorted;
   sorted.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_finite(points[i])) sorted.emplace_back(cells(points[i]), static_cast<Index>(i));
-  }
-  std::sort(sorted.begin(), sorted.end());
+  serial_for(points.size(), kBlock, stage(run, 0.0, 0.3), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_finite(points[i])) sorted.push_back({cells(points[i]), static_cast<Index>(i)});
+    }
+  });
+  sort_by_key(sorted, stage(run, 0.3, 1.0));
   return sorted;
 }
 
 /// The point in [begin, end) that is nearest to their mean, distances being measured in cells.
-Index nearest_to_mean(const std::vector<Vec3>& points, const Vec3& cell, const Celled* begin, const Celled* end) {
-  const Vec3& first = points[begin->second];
+Index nearest_to_mean(const std::vector<Vec3>& points, const Vec3& cell, const Keyed* begin, const Keyed* end) {
+  const Vec3& first = points[begin->index];
   Vec3 mean = Vec3::Zero();
-  for (const Celled* c = begin; c != end; ++c) mean += points[c->second] - first;
+  for (const Keyed* c = begin; c != end; ++c) mean += points[c->index] - first;
   mean /= static_cast<double>(end - begin);
-  Index nearest = begin->second;
+  Index nearest = begin->index;
   double least = std::numeric_limits<double>::infinity();
-  for (const Celled* c = begin; c != end; ++c) {
-    const double distance = (points[c->second] - first - mean).cwiseQuotient(cell).squaredNorm();
+  for (const Keyed* c = begin; c != end; ++c) {
+    const double distance = (points[c->index] - first - mean).cwiseQuotient(cell).squaredNorm();
     if (distance >= least) continue;
     least = distance;
-    nearest = c->second;
+    nearest = c->index;
   }
   return nearest;
 }
 
+/// Which points stay: one of each cell.
+std::vector<char> chosen_points(const std::vector<Vec3>& points, const Vec3& cell, const std::vector<Keyed>& sorted,
+                                const Execution& run) {
+  std::vector<char> chosen(points.size(), 0);
+  Reporter report(run);
+  constexpr std::size_t kCellsAtOnce = 4096;
+  std::size_t cells = 0;
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    while (end < sorted.size() && sorted[end].key == sorted[begin].key) ++end;
+    chosen[nearest_to_mean(points, cell, &sorted[begin], sorted.data() + end)] = 1;
+    if (++cells % kCellsAtOnce == 0) report(static_cast<double>(end) / static_cast<double>(sorted.size()));
+  }
+  return chosen;
+}
+
 }  // namespace
 
-std::size_t thin(Scan& scan, const Vec3& cell, const std::string& path) {
+std::size_t thin(Scan& scan, const Vec3& cell, const std::string& path, const Execution& run) {
   if (!(cell.array() > 0).all() || !is_finite(cell)) {
     throw Error(ErrorCode::InvalidArgument, "'" + path + "': cells of size " + std::to_string(cell.minCoeff()) +
                                                 " hold no point; give a positive size");
   }
-  if (bounds(scan.points).empty()) return 0;
-  const std::vector<Celled> sorted = sorted_by_cell(scan.points, Cells(scan.points, cell, path));
+  const Bounds box = bounds(scan.points);
+  if (box.empty()) return 0;
+  const std::vector<Keyed> sorted = sorted_by_cell(scan.points, Cells(box, cell, path), stage(run, 0.0, 0.5));
+  const std::vector<char> chosen = chosen_points(scan.points, cell, sorted, stage(run, 0.5, 0.7));
   std::vector<Index> kept;
-  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    while (end < sorted.size() && sorted[end].first == sorted[begin].first) ++end;
-    kept.push_back(nearest_to_mean(scan.points, cell, &sorted[begin], sorted.data() + end));
+  for (Index i = 0; i < chosen.size(); ++i) {
+    if (chosen[i]) kept.push_back(i);
   }
-  std::sort(kept.begin(), kept.end());
   const std::size_t before = scan.points.size();
-  keep_points(scan, kept);
+  keep_points(scan, kept, stage(run, 0.7, 1.0));
   return before - kept.size();
 }
 

@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "kappa/core/bounds.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/scan/scan.hpp"
 
 namespace kappa {
-
 namespace {
+
+constexpr std::size_t kBlock = 16384;
 
 /// The vector with its height multiplied, of the length that it had. Where heights are multiplied, directions along the
 /// surface are stretched alike, its normals by the inverse.
@@ -43,25 +45,32 @@ HeightUnit::HeightUnit(double z_scale) : z_scale_(z_scale) {
               "heights cannot be scaled by " + std::to_string(z_scale) + ": give a positive number");
 }
 
-void HeightUnit::apply(Scan& scan) {
+void HeightUnit::apply(Scan& scan, const Execution& run) {
   if (z_scale_ == 1) return;
-  heights_.reserve(scan.points.size());
-  for (Vec3& p : scan.points) {
-    heights_.push_back(p.z());
-    p.z() *= z_scale_;
-  }
-  normals_ = scan.normals;
-  for (Vec3& u : scan.normals) u = stretched(u, 1 / z_scale_);
+  std::vector<double> heights(scan.points.size());
+  parallel_for(heights.size(), kBlock, stage(run, 0.0, 0.5), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) heights[i] = scan.points[i].z();
+  });
+  Normals normals(scan.normals.size());
+  parallel_for(normals.size(), kBlock, stage(run, 0.5, 1.0), [&](std::size_t begin, std::size_t end, int) {
+    for (std::size_t i = begin; i < end; ++i) normals[i] = stretched(scan.normals[i], 1 / z_scale_);
+  });
+  // From here on nothing can be cancelled: whoever cancels finds the scan as it was.
+  for (Vec3& p : scan.points) p.z() *= z_scale_;
+  heights_ = std::move(heights);
+  normals_ = std::exchange(scan.normals, std::move(normals));
   origin_height_ = scan.origin.z();
   scan.origin.z() *= z_scale_;
   viewpoint_ = scan.viewpoint;
   if (scan.viewpoint) scan.viewpoint->z() *= z_scale_;
 }
 
-void HeightUnit::restore(Scan& scan) const {
+void HeightUnit::restore(Scan& scan, const Execution& run) const {
   if (z_scale_ == 1) return;
+  Normals normals = normals_;
+  report_progress(run, 1.0);
   for (std::size_t i = 0; i < scan.points.size(); ++i) scan.points[i].z() = heights_[i];
-  scan.normals = normals_;
+  scan.normals = std::move(normals);
   scan.origin.z() = origin_height_;
   scan.viewpoint = viewpoint_;
 }

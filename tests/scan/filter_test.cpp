@@ -13,6 +13,7 @@
 #include "kappa/scan/filter.hpp"
 #include "kappa/scan/scan.hpp"
 #include "kappa/scan/units.hpp"
+#include "support/expect_names.hpp"
 
 namespace kappa {
 namespace {
@@ -60,6 +61,10 @@ PointFilter of_bounds(const Vec3& min, const Vec3& max) {
   PointFilter filter;
   filter.bounds = Bounds{min, max};
   return filter;
+}
+
+TEST(Returns, HaveTheWordsOfTheCommandLine) {
+  test::expect_names<Returns>({"all", "first", "last"});
 }
 
 TEST(SelectPoints, NothingAskedForChangesNothing) {

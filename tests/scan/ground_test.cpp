@@ -10,6 +10,7 @@
 
 #include "kappa/core/error.hpp"
 #include "scan/height_grid.hpp"
+#include "support/expect_names.hpp"
 
 namespace kappa {
 namespace {
@@ -47,6 +48,10 @@ HeightGrid opened_slowly(const HeightGrid& grid, double radius) {
   return high;
 }
 
+TEST(GroundMethod, HasTheWordsOfTheCommandLine) {
+  test::expect_names<GroundMethod>({"smrf", "pmf"});
+}
+
 TEST(HeightGrid, OpeningFollowsItsDefinition) {
   for (const auto& [columns, rows] : {std::pair<std::size_t, std::size_t>{1, 1}, {7, 1}, {1, 9}, {13, 17}, {40, 23}}) {
     const HeightGrid grid = random_grid(columns, rows);
@@ -72,7 +77,7 @@ TEST(HeightGrid, FilledHolesContinueAPlane) {
       if (x < 15 || x > 40 || y < 12 || y > 30) grid.at(x, y) = plane(x, y);
     }
   }
-  fill(grid);
+  fill(grid, {});
   for (std::size_t y = 0; y < grid.rows; ++y) {
     for (std::size_t x = 0; x < grid.columns; ++x) ASSERT_NEAR(grid.at(x, y), plane(x, y), 0.1) << x << ' ' << y;
   }

@@ -9,35 +9,41 @@
 
 namespace kappa {
 
-/// How the ground is found.
+/// How the ground of an airborne scan is told from what stands on it.
 enum class GroundMethod {
   Morphological,  ///< `find_ground`
-  Progressive     ///< PCL's progressive morphological filter, for comparison
+  Progressive     ///< PCL's filter: `find_ground_progressively` of kappa/pcl/ground.hpp
 };
+
+/// The words for the methods: smrf, pmf.
 const std::vector<Named<GroundMethod>>& names_of(GroundMethod);
 
-/// Parameters of `find_ground`. Lengths are in units of the points; the defaults are for metres.
+/// The parameters of `find_ground`. Lengths are in units of the points; the defaults are for metres. Their errors on
+/// the ISPRS samples are in experiments/results/ground-samples.csv.
 struct GroundOptions {
-  double cell = 1;         ///< edge of the cells of the grid
-  double slope = 0.15;     ///< steepest slope of the ground under objects, rise over run
-  double window = 18;      ///< half the width of the largest object that is taken off the ground
-  double threshold = 0.5;  ///< greatest distance of a ground point from the ground surface, where that is level
-  double scaling = 1.25;   ///< how much the threshold grows with the slope of the surface
+  double cell = 1;         ///< edge of the cells of the grid, > 0
+  double slope = 0.15;     ///< steepest slope of the ground under objects, rise over run, >= 0
+  double window = 18;      ///< half the width of the largest object that is taken off the ground, > 0
+  double threshold = 0.5;  ///< greatest distance of a ground point from the ground surface where it is level, >= 0
+  double scaling = 1.25;   ///< growth of the threshold with the slope of the ground surface, >= 0
 };
 
-/// Which points of an airborne scan are ground: a simple morphological filter after Pingel, Clarke and McBride (ISPRS
-/// Journal 77, 2013), which continues the progressive one of Zhang et al. (IEEE TGRS 41, 2003).
+/// Which points of an airborne scan are ground: a simple morphological filter (Pingel, Clarke, McBride, ISPRS Journal
+/// 77, 2013), which continues the progressive one of Zhang et al. (IEEE TGRS 41(4), 2003).
 ///
-/// The lowest points of the cells of a grid make a surface. Cells far below all their neighbours are taken off as false
-/// echoes. The surface is opened with discs of growing radius up to `window`; a cell that sinks in one step by more
-/// than `slope` times the radius is an object. Without objects and false echoes the surface is filled by harmonic
-/// interpolation, and a point is ground if it lies within `threshold + scaling * slope there` of it.
+/// 1. The lowest points of the cells of a grid make a surface. Empty cells are filled by harmonic interpolation.
+/// 2. Cells far below all their neighbours are false echoes and are taken off.
+/// 3. The surface is opened with discs of growing radius, up to `window`. A cell that sinks in one step by more than
+///    `slope` times the radius belongs to an object.
+/// 4. The surface is filled again without objects and false echoes. A point is ground if it lies within
+///    threshold + scaling * (slope of the surface there) of it.
 ///
-/// `points`: any origin, z up. Points that are not finite are no ground. Returns 1 or 0 for each point. Equal for any
-/// number of threads, and under any shift of the points by whole cells.
-/// Cost: O(cells * radius) a radius, where the radii in cells grow by a quarter, plus O(points).
-/// @throws Error InvalidArgument if an option is not positive (slope, threshold, scaling: not negative) or not finite,
-/// or if there are more than 4e8 cells; InvalidData if no point is finite.
+/// `points` are in any local frame with z up. The result has 1 for each point that is ground, and 0 for all others; a
+/// point that is not finite is no ground. It is the same for every number of threads, and if all points are shifted by
+/// whole cells.
+/// Cost: cells * radius for each radius (in cells, growing by a quarter), and linear in the points.
+/// @throws Error InvalidArgument if an option is out of its range, or if there would be more than 4e8 cells;
+/// InvalidData if no point is finite; Cancelled.
 std::vector<char> find_ground(const std::vector<Vec3>& points, const GroundOptions& options, const Execution& run = {});
 
 }  // namespace kappa

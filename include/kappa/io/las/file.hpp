@@ -36,7 +36,7 @@ struct LasFile final : FileRecords {
   std::optional<std::size_t> waveform;  ///< which of `extended` holds the waveform packets
 
   std::size_t point_count() const override { return points.size() / record_length; }
-  std::shared_ptr<const FileRecords> picked(const std::vector<Index>& kept) const override;
+  std::shared_ptr<const FileRecords> picked(const std::vector<Index>& kept, const Execution& run) const override;
 };
 
 /// The LAS file that a scan came from, null if it came from none.
