@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "kappa/segment/labels.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "kappa/core/error.hpp"
 #include "kappa/curvature/in_balls.hpp"
 #include "kappa/mesh/normals.hpp"
-#include "kappa/segment/regions.hpp"
 #include "support/shapes.hpp"
 
 namespace kappa {

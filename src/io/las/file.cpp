@@ -3,7 +3,7 @@
 
 namespace kappa {
 
-std::shared_ptr<const FileRecords> LasFile::picked(const std::vector<Index>& kept) const {
+std::shared_ptr<const FileRecords> LasFile::picked(const std::vector<Index>& kept, const Execution& run) const {
   auto chosen = std::make_shared<LasFile>();
   chosen->header = header;
   chosen->format = format;
@@ -15,7 +15,10 @@ std::shared_ptr<const FileRecords> LasFile::picked(const std::vector<Index>& kep
   chosen->extended = extended;
   chosen->waveform = waveform;
   chosen->points.reserve(kept.size() * record_length);
-  for (const Index i : kept) chosen->points.append(points, i * record_length, record_length);
+  constexpr std::size_t kBlock = 16384;
+  serial_for(kept.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) chosen->points.append(points, kept[k] * record_length, record_length);
+  });
   return chosen;
 }
 
