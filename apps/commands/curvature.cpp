@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command.hpp"
+#include "extensions.hpp"
 #include "kappa/io/write.hpp"
 #include "kappa/pipeline/output.hpp"
 #include "kappa/scan/scan.hpp"
@@ -10,7 +11,7 @@ namespace kappa::app {
 namespace {
 
 void declare(CLI::App& command, ScanCommand& arguments) {
-  declare_files(command, arguments, ".ply .pcd .csv .vtp .las");
+  declare_files(command, arguments, writable());
   declare_filters(command, arguments.scan.filter);
   declare_curvature(command, arguments.scan);
   declare_surface(command, arguments.scan);

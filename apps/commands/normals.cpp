@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "command.hpp"
+#include "extensions.hpp"
 #include "kappa/io/write.hpp"
 #include "kappa/pipeline/output.hpp"
 #include "kappa/scan/scan.hpp"
@@ -11,7 +12,7 @@ namespace kappa::app {
 namespace {
 
 void declare(CLI::App& command, ScanCommand& arguments) {
-  declare_files(command, arguments, "the same with corrected normals, .ply .pcd .csv .vtp .las");
+  declare_files(command, arguments, "the same with corrected normals, " + writable());
   declare_filters(command, arguments.scan.filter);
   declare_surface(command, arguments.scan);
   declare_run(command, arguments);

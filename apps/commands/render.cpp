@@ -116,7 +116,7 @@ std::vector<Label> labels_of(const RenderArguments& arguments, const Scan& scan)
 
 void run_render(const RenderArguments& arguments) {
   Stages stages(0, arguments.quiet);
-  const Scan scan = stages.run("read", [&](const Execution&) { return read_scan(arguments.input); });
+  const Scan scan = stages.run("read", [&](const Execution& run) { return read_scan(arguments.input, run); });
   const FigureOptions options = figure_options(arguments, scan);
   stages.run("draw", [&](const Execution& run) {
     if (arguments.labels) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "extensions.hpp"
 #include "kappa/core/error.hpp"
 #include "kappa/io/read.hpp"
 #include "kappa/scan/scan.hpp"
@@ -30,7 +31,7 @@ std::string option_of(const std::string& member) {
 }  // namespace
 
 void declare_files(CLI::App& command, ScanCommand& arguments, const std::string& outputs) {
-  command.add_option("input", arguments.input, "Scan or mesh: .pcd .ply .obj .off .stl .vtp .las .xyz .pts .txt .csv")
+  command.add_option("input", arguments.input, "Scan or mesh: " + readable())
       ->required();
   command.add_option("output", arguments.output, "Result: " + outputs)->required();
 }
@@ -67,7 +68,7 @@ void check_faces(const ScanOptions& options) {
 
 Scan read_input(ScanCommand& arguments, Stages& stages) {
   arguments.scan.name = arguments.input;
-  return stages.run("read", [&](const Execution&) { return read_scan(arguments.input); });
+  return stages.run("read", [&](const Execution& run) { return read_scan(arguments.input, run); });
 }
 
 }  // namespace kappa::app

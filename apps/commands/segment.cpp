@@ -3,6 +3,8 @@
 
 #include "checks.hpp"
 #include "command.hpp"
+#include "extensions.hpp"
+#include "kappa/io/regions_table.hpp"
 #include "kappa/io/write.hpp"
 #include "kappa/pipeline/output.hpp"
 #include "scan_command.hpp"
@@ -27,7 +29,7 @@ void declare_labels(CLI::App& command, LabelOptions& options) {
 }
 
 void declare(CLI::App& command, ScanCommand& arguments) {
-  declare_files(command, arguments, ".ply .pcd .csv .vtp .las");
+  declare_files(command, arguments, writable());
   declare_filters(command, arguments.scan.filter);
   declare_curvature(command, arguments.scan);
   declare_surface(command, arguments.scan);
@@ -46,7 +48,7 @@ void write_all(const std::string& output, const ScanResult& result, const Execut
   try {
     for (std::size_t r = 0; r < result.labels.size(); ++r) {
       tables.push_back(regions_path(output, field_suffix(result, r)));
-      write_regions(tables.back(), result.labels[r].segmentation, result.prepared.surfaced.scan.origin);
+      write_regions(tables.back(), result.labels[r].segmentation, result.prepared.surfaced.scan.origin, stage(execution, 0.0, 0.0));
     }
     write_scan(output, output_scan(result, stage(execution, 0.0, 0.2)), stage(execution, 0.2, 1.0));
   } catch (...) {

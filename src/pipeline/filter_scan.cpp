@@ -37,10 +37,10 @@ std::size_t keep_ground(Scan& scan, const std::string& name, const GroundFilter&
   if (scan.is_mesh())
     throw Error(ErrorCode::InvalidArgument, "'" + name + "' is a mesh, whose faces need all points; give a cloud");
   const double metre = 1 / scan.units.horizontal.value_or(1);
-  const std::vector<char> ground = ground_of(with_heights_scaled(scan.points, z_scale), filter, metre, run);
+  const std::vector<char> ground = ground_of(with_heights_scaled(scan.points, z_scale), filter, metre, stage(run, 0.0, 0.9));
   const auto kept = static_cast<std::size_t>(std::count(ground.begin(), ground.end(), 1));
   if (kept == 0) throw Error(ErrorCode::InvalidData, "'" + name + "': no point is ground; leave --ground out");
-  leave_out(scan, ground);
+  leave_out(scan, ground, stage(run, 0.9, 1.0));
   return ground.size() - kept;
 }
 
@@ -83,11 +83,12 @@ FilteredScan filter_scan(Scan& scan, const std::string& name, const FilterOption
   f.heights = HeightUnit(options.z_scale.value_or(1));
   f.no_returns.emplace(scan, find_no_returns(scan));
   if (options.withheld == Withheld::SetAside) f.withheld = set_withheld_aside(scan, name);
-  f.selected = select_points(scan, options.points, name);
+  f.selected = select_points(scan, options.points, name, stage(run, 0.1, 0.2));
   const double z_scale = f.heights.z_scale();
-  if (options.ground) f.objects = keep_ground(scan, name, *options.ground, z_scale, run);
-  if (options.voxel > 0) f.thinned = thin(scan, Vec3(1, 1, 1 / z_scale) * options.voxel, name);
-  f.heights.apply(scan);
+  if (options.ground) f.objects = keep_ground(scan, name, *options.ground, z_scale, stage(run, 0.2, 0.7));
+  const Vec3 cell = Vec3(1, 1, 1 / z_scale) * options.voxel;
+  if (options.voxel > 0) f.thinned = thin(scan, cell, name, stage(run, 0.7, 0.95));
+  f.heights.apply(scan, stage(run, 0.95, 1.0));
   return f;
 }
 

@@ -154,23 +154,6 @@ void restore_order(const PointOrder& order, ScanResult& result) {
   for (CurvatureField& field : result.fields) order.restore(field);
 }
 
-double threshold_of(const PreparedScan& prepared, const CurvatureField& field, BallDefinition ball,
-                    const LabelOptions& how, const Execution& run) {
-  if (how.flatness || how.kappa_max) {
-    constexpr double kFlatness = 0.05, kPercentile = 98;
-    const double kappa_max = how.kappa_max ? *how.kappa_max : curvature_percentile(field, kPercentile);
-    return how.flatness.value_or(kFlatness) * kappa_max;
-  }
-  const Surface& surface = prepared.surfaced.surface;
-  return estimate_threshold(*prepared.balls, surface.mesh.vertices, surface.u, field, ball, surface.spacing, run);
-}
-
-/// A ball tells apart what is as large as its inner half.
-double least_region(const CurvatureField& field) {
-  const double half = 0.5 * typical_radius(field);
-  return kPi * half * half;
-}
-
 void add_labels(ScanResult& result, const ScanOptions& options, StageWatch& watch) {
   result.labels = run_stage(watch, "regions", [&](const Execution& run) {
     std::vector<LabelledScan> all;
@@ -265,14 +248,16 @@ LabelledScan label(const PreparedScan& prepared, const CurvatureField& field, co
   const Surface& surface = prepared.surfaced.surface;
   const LabelOptions how = options.labels.value_or(LabelOptions());
   LabelledScan s;
-  s.estimated = !how.flatness && !how.kappa_max;
-  s.threshold = threshold_of(prepared, field, options.curvature.ball, how, run);
+  s.estimated = how.estimates_threshold();
+  s.threshold = label_threshold(how, *prepared.balls, surface.mesh.vertices, surface.u, field, options.curvature.ball,
+                                surface.spacing, stage(run, 0.0, 0.5));
   if (!(s.threshold >= 0))
     throw Error(
         ErrorCode::InvalidData,
         options.name + ": too few points have a curvature to tell flat from curved; give --kappa-max and --flatness");
-  const RegionOptions regions{how.min_region.value_or(least_region(field))};
-  s.segmentation = find_regions(surface.mesh, field, classify(field, s.threshold), regions, surface.twins);
+  const std::vector<Label> labels = classify(field, s.threshold, stage(run, 0.5, 0.6));
+  const RegionOptions regions{least_region(how, field)};
+  s.segmentation = find_regions(surface.mesh, field, labels, regions, surface.twins, stage(run, 0.6, 1.0));
   for (Region& region : s.segmentation.table)
     region.centroid = prepared.surfaced.filtered.heights.point_of_file(region.centroid);
   return s;
