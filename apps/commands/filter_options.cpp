@@ -56,8 +56,8 @@ void declare_ground(CLI::App& command, FilterOptions& options) {
       ->each([&options, word](const std::string& given) { take_ground(given, options); });
   const auto add = [&](const char* name, std::optional<double> GroundFilter::*member, const char* help) {
     command
-        .add_option_function<double>(name, [&options, member](double value) { ground_of(options).*member = value; },
-                                     help)
+        .add_option_function<double>(
+            name, [&options, member](double value) { ground_of(options).*member = value; }, help)
         ->check(not_negative())
         ->needs("--ground");
   };

@@ -13,7 +13,7 @@ namespace {
 
 /// What members of the pipeline's options are called here, where that is not the name of the member.
 std::string option_of(const std::string& member) {
-  const std::pair<const char*, const char*> names[] = {{"curvature.radii", "--radius"},
+  const std::pair<const char*, const char*> names[] = {{"radii", "--radius"},
                                                        {"ground.max_rise", "--ground-max"},
                                                        {"ground.method", "--ground"},
                                                        {"surface.surface", "--surface"}};
@@ -31,8 +31,7 @@ std::string option_of(const std::string& member) {
 }  // namespace
 
 void declare_files(CLI::App& command, ScanCommand& arguments, const std::string& outputs) {
-  command.add_option("input", arguments.input, "Scan or mesh: " + readable())
-      ->required();
+  command.add_option("input", arguments.input, "Scan or mesh: " + readable())->required();
   command.add_option("output", arguments.output, "Result: " + outputs)->required();
 }
 
@@ -48,13 +47,23 @@ void declare_run(CLI::App& command, ScanCommand& arguments) {
   command.add_flag("--json", options.json, "Summary as one JSON object on standard output");
 }
 
+/// The members in backticks by the names that they have here.
+std::string with_options(std::string reason) {
+  for (std::size_t open; (open = reason.find('`')) != std::string::npos;) {
+    const std::size_t close = reason.find('`', open + 1);
+    if (close == std::string::npos) break;
+    reason.replace(open, close + 1 - open, option_of(reason.substr(open + 1, close - open - 1)));
+  }
+  return reason;
+}
+
 /// Calls `check` and tells of its OptionError by the name that the option has here.
 template <class Check>
 void check_options(const Check& check) {
   try {
     check();
   } catch (const OptionError& e) {
-    throw CLI::ValidationError(option_of(e.option()), e.reason());
+    throw CLI::ValidationError(option_of(e.option()), with_options(e.reason()));
   }
 }
 

@@ -48,7 +48,8 @@ void write_all(const std::string& output, const ScanResult& result, const Execut
   try {
     for (std::size_t r = 0; r < result.labels.size(); ++r) {
       tables.push_back(regions_path(output, field_suffix(result, r)));
-      write_regions(tables.back(), result.labels[r].segmentation, result.prepared.surfaced.scan.origin, stage(execution, 0.0, 0.0));
+      write_regions(tables.back(), result.labels[r].segmentation, result.prepared.surfaced.scan.origin,
+                    stage(execution, 0.0, 0.0));
     }
     write_scan(output, output_scan(result, stage(execution, 0.0, 0.2)), stage(execution, 0.2, 1.0));
   } catch (...) {

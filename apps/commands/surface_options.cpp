@@ -39,7 +39,8 @@ void declare_cuts(CLI::App& command, SurfaceOptions& s) {
   };
   add("--max-depth-jump", &GridOptions::max_depth_jump,
       "Grid and spinning: corners whose distances from the scanner differ by more than this part of the smaller make "
-      "no face" + defaults(&GridOptions::max_depth_jump))
+      "no face" +
+          defaults(&GridOptions::max_depth_jump))
       ->check(positive());
   add("--max-incidence", &GridOptions::max_incidence,
       "Grid and spinning: faces seen at more than this angle to their normal are cut, degrees" +
@@ -59,7 +60,8 @@ void take_orientation(const std::vector<std::string>& words, SurfaceOptions& s) 
   if (!known)
     throw CLI::ValidationError("--orient", "'" + how + "' is not one of auto, up, viewpoint, mst, outward, input");
   if (words.size() == 1) return;
-  if (s.orientation != Orientation::Viewpoint) throw CLI::ValidationError("--orient", "only viewpoint takes coordinates");
+  if (s.orientation != Orientation::Viewpoint)
+    throw CLI::ValidationError("--orient", "only viewpoint takes coordinates");
   const std::vector<double> v = parse_numbers("--orient", words[1], 3);
   s.viewpoint = Vec3(v[0], v[1], v[2]);
 }

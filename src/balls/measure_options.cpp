@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kappa/balls/measure_options.hpp"
 
-#include "kappa/core/checks.hpp"
 #include "kappa/core/error.hpp"
 
 namespace kappa {
@@ -27,10 +26,11 @@ const std::vector<Named<Engine>>& names_of(Engine) {
 }
 
 void validate(const MeasureOptions& options) {
-  check_range("refine", options.refine, 0, kMostRefinements, "the times that a face is split in four");
+  if (options.refine < 0 || options.refine > kMostRefinements)
+    throw OptionError("refine", "= " + std::to_string(options.refine) + ": give 0 to " +
+                                    std::to_string(kMostRefinements) + ", the times that a face is split in four");
   if (options.refine > 0 && options.quads == QuadMeasures::Bilinear)
-    throw Error(ErrorCode::InvalidArgument, "refine = " + std::to_string(options.refine) +
-                                                " with bilinear quads: only triangles are refined; let quads be split");
+    throw OptionError("refine", "splits triangles; leave `quads` bilinear out");
 }
 
 }  // namespace kappa

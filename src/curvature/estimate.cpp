@@ -19,15 +19,14 @@ namespace kappa {
 namespace {
 
 [[noreturn]] void refuse_border(const std::string& reason) {
-  throw OptionError("border", "at the centre " + reason);
+  throw OptionError("border", "centre " + reason);
 }
 
 void check_border(const CurvatureOptions& options, bool at_zero) {
   if (options.border == BorderEstimate::InBall) return;
   if (options.scale == ScaleChoice::PerPoint)
-    refuse_border("is not for scales chosen per point; give a radius, or take estimates in the ball");
-  if (at_zero)
-    refuse_border("needs balls, and radius 0 has none; give a positive radius, or take estimates in the ball");
+    refuse_border("is not for `radii` auto-per-point; give a radius, or leave `border` out");
+  if (at_zero) refuse_border("needs balls, and `radii` 0 has none; give a positive radius, or leave `border` out");
 }
 
 void check_coverage(double least, bool at_zero) {
@@ -40,7 +39,7 @@ void check_coverage(double least, bool at_zero) {
 void check_order_of(const CurvatureOptions& options, bool at_zero) {
   if (!options.order) return;
   if (options.scale == ScaleChoice::PerPoint)
-    throw OptionError("order", "is chosen for every point where each has its own scale; leave it out");
+    throw OptionError("order", "is chosen for every point with `radii` auto-per-point; leave it out");
   if (*options.order < 1 || *options.order > kMaxOrder)
     throw OptionError("order", "= " + std::to_string(*options.order) + ": give 1 to " + std::to_string(kMaxOrder));
   if (*options.order > 1 && at_zero) throw OptionError("order", "needs balls: above 1 it has no meaning at radius 0");
@@ -122,8 +121,7 @@ void validate(const CurvatureOptions& options) {
 void validate(const CurvatureOptions& options, const MeasureOptions& measure) {
   validate(measure);
   if (options.border == BorderEstimate::AtCentre && measure.refine > 0)
-    refuse_border("is not for faces that refine = " + std::to_string(measure.refine) +
-                  " splits; leave one of them out");
+    refuse_border("is not for faces refined by `refine` " + std::to_string(measure.refine) + "; leave one of them out");
   validate(options);
 }
 
@@ -134,7 +132,7 @@ std::vector<CurvatureField> estimate_curvatures(const BallSum& balls, const Norm
     throw OptionError("scale", "is automatic, which needs a surface: give radii");
   check_one_each(u.size(), "normal", balls.triangles().vertices, "vertex");
   if (options.border != BorderEstimate::InBall && is_refined(balls.triangles()))
-    refuse_border("is not for refined triangles; measure those of the mesh, or take estimates in the ball");
+    refuse_border("is not for refined triangles; measure those of the mesh, or leave `border` out");
   std::vector<CurvatureField> fields;
   if (options.scale == ScaleChoice::PerPoint) {
     fields.push_back(estimate_at_own_scale(balls, u, options.ball, run));

@@ -37,7 +37,8 @@ std::size_t keep_ground(Scan& scan, const std::string& name, const GroundFilter&
   if (scan.is_mesh())
     throw Error(ErrorCode::InvalidArgument, "'" + name + "' is a mesh, whose faces need all points; give a cloud");
   const double metre = 1 / scan.units.horizontal.value_or(1);
-  const std::vector<char> ground = ground_of(with_heights_scaled(scan.points, z_scale), filter, metre, stage(run, 0.0, 0.9));
+  const std::vector<char> ground =
+      ground_of(with_heights_scaled(scan.points, z_scale), filter, metre, stage(run, 0.0, 0.9));
   const auto kept = static_cast<std::size_t>(std::count(ground.begin(), ground.end(), 1));
   if (kept == 0) throw Error(ErrorCode::InvalidData, "'" + name + "': no point is ground; leave --ground out");
   leave_out(scan, ground, stage(run, 0.9, 1.0));
@@ -62,8 +63,8 @@ void validate(const FilterOptions& options) {
     throw OptionError("z_scale", "= " + std::to_string(*options.z_scale) + ": give a positive, finite number");
   if (!options.ground) return;
   const bool progressive = options.ground->method == GroundMethod::Progressive;
-  if (options.ground->max_rise && !progressive) throw OptionError("ground.max_rise", "is for --ground=pmf");
-  if (options.ground->scaling && progressive) throw OptionError("ground.scaling", "is not for --ground=pmf");
+  if (options.ground->max_rise && !progressive) throw OptionError("ground.max_rise", "is for `ground.method` pmf");
+  if (options.ground->scaling && progressive) throw OptionError("ground.scaling", "is not for `ground.method` pmf");
   if (progressive && !options.ground->progressive)
     throw OptionError("ground.method",
                       "pmf needs a function that finds the ground (ground.progressive); give progressive_ground of "

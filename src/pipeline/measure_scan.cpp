@@ -182,7 +182,7 @@ void need_faces(const ScanOptions& options) {
   if (!triangle_scheme(options.surface.surface)) return;
   throw OptionError("surface.surface",
                     std::string(name(options.surface.surface)) +
-                        " measures each point alone, without faces; take one with faces, as umbrella");
+                        " measures each point alone, for curvatures; what is asked for needs faces, as of umbrella");
 }
 
 void validate(const ScanOptions& options) {

@@ -299,7 +299,7 @@ TEST(BorderEstimate, AtCentreIsForBallsAtTheVerticesOfPlainFaces) {
     try {
       call();
     } catch (const OptionError& e) {
-      return e.option() == "border" && std::string(e.what()).find("border at the centre") == 0;
+      return e.option() == "border" && std::string(e.what()).find("border centre") == 0;
     }
     return false;
   };

@@ -20,7 +20,7 @@ TEST(WriteRegions, GivesCentroidsInTheCoordinatesOfTheFile) {
   EXPECT_EQ(test::content_of(folder.file("regions.csv")),
             "region,label,points,area,border,mean_curvature,gaussian_curvature,centroid_x,centroid_y,centroid_z\n"
             "1,convex,1,2.5,0.1,1.5,nan,500000.25,5400000,100\n"
-            "2,concave cylinder,1,1,0.1,-2,0,500000,5400000,99\n");
+            "2,valley,1,1,0.1,-2,0,500000,5400000,99\n");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "clouds.hpp"
 #include "kappa/balls/measure_tree.hpp"
 #include "kappa/core/bounds.hpp"
+#include "kappa/curvature/in_balls.hpp"
 #include "kappa/mesh/normals.hpp"
 #include "kappa/pcl/convert.hpp"
 #include "kappa/pcl/corrected_curvature_estimation.hpp"
@@ -58,7 +59,7 @@ struct Pipeline {
   }
 
   CurvatureField field(double radius, BallDefinition ball = BallDefinition::ExactDensity) const {
-    return estimate_curvatures(MeasureTree(triangles), points, normals, {radius}, ball).front();
+    return curvatures_in_balls(MeasureTree(triangles), points, normals, BallPlan{{radius}, 1, ball}).front();
   }
 };
 
@@ -236,7 +237,7 @@ TEST(CorrectedCurvatureEstimation, SearchSurfaceIsWhatIsMeasured) {
     const auto nearer = [&](const Vec3& a, const Vec3& b) { return (a - x).squaredNorm() < (b - x).squaredNorm(); };
     const auto nearest = std::min_element(direct.points.begin(), direct.points.end(), nearer) - direct.points.begin();
     const Vec3 u = direct.normals[static_cast<std::size_t>(nearest)];
-    const CurvatureField field = estimate_curvatures(balls, {x}, {u}, {0.25}, BallDefinition::ExactDensity).front();
+    const CurvatureField field = curvatures_in_balls(balls, {x}, {u}, BallPlan{{0.25}}).front();
     EXPECT_TRUE(same_bits(out[i], to_curvature_cloud({x}, {u}, field, direct.origin)[0])) << "point " << i;
     EXPECT_NEAR(out[i].mean_curvature, torus_truth(out[i]).mean, 5e-3);
     EXPECT_NEAR(out[i].k_min, torus_truth(out[i]).k_min, 3e-2);
@@ -262,7 +263,7 @@ TEST(CorrectedCurvatureEstimation, KSearchMeasuresTheBallOfTheKNearest) {
   for (std::size_t i = 0; i < out.size(); i += 13) {
     const Vec3 x = direct.points[i];
     const double radius = kth_distance(direct.points, x, 30);
-    const auto fields = estimate_curvatures(balls, {x}, {direct.normals[i]}, {radius}, BallDefinition::ExactDensity);
+    const auto fields = curvatures_in_balls(balls, {x}, {direct.normals[i]}, BallPlan{{radius}});
     const CurvatureSample& by_hand = fields.front().samples.front();
     EXPECT_NEAR(out[i].k_min, by_hand.k.k_min, 1e-6);
     EXPECT_NEAR(out[i].area, by_hand.area, 1e-6 * by_hand.area);

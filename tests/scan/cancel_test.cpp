@@ -75,8 +75,7 @@ TEST(ScanCancel, WhatChangesAScanLeavesItWhole) {
       change_in_place("leave_out", scan, equal, [=](Scan& s, const Execution& run) { leave_out(s, half, run); }),
       change_in_place("select_points", scan, equal,
                       [](Scan& s, const Execution& run) { select_points(s, full_filter(), "a.las", run); }),
-      change_in_place("thin", scan, equal,
-                      [](Scan& s, const Execution& run) { thin(s, Vec3(2, 2, 2), "a.las", run); }),
+      change_in_place("thin", scan, equal, [](Scan& s, const Execution& run) { thin(s, Vec3(2, 2, 2), "a.las", run); }),
       change_in_place("HeightUnit::apply", scan, equal,
                       [](Scan& s, const Execution& run) { HeightUnit(0.3048).apply(s, run); }),
   });
@@ -86,9 +85,9 @@ TEST(ScanCancel, AGridIsLeftWhole) {
   Scan scan = full_scan();
   scan.width = 60;
   scan.height = 50;
-  test::expect_cancellable({test::change_in_place(
-      "select_points of a grid", scan, equal,
-      [](Scan& s, const Execution& run) { select_points(s, full_filter(), "a.pcd", run); })});
+  test::expect_cancellable(
+      {test::change_in_place("select_points of a grid", scan, equal,
+                             [](Scan& s, const Execution& run) { select_points(s, full_filter(), "a.pcd", run); })});
 }
 
 TEST(ScanCancel, RestoredHeightsAreAllOrNone) {

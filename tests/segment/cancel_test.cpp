@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/cancelling.hpp"
 
+#include "kappa/curvature/in_balls.hpp"
 #include "kappa/segment/labels.hpp"
 #include "kappa/segment/regions.hpp"
 #include "support/shapes.hpp"
@@ -10,11 +11,11 @@ namespace {
 
 TEST(SegmentCancel, InWhicheverReport) {
   const shapes::Shape torus = shapes::torus(3, 1, 24, 16);
-  const BruteForceBallSum balls(measure_triangles(torus.mesh, torus.normals));
+  const BruteForceBallSum balls(triangles_of(torus.mesh, torus.normals));
   const auto ball = BallDefinition::ExactDensity;
   const std::vector<Vec3>& x = torus.mesh.vertices;
   const Normals& u = torus.normals;
-  const CurvatureField field = estimate_curvatures(balls, x, u, {0.8}, ball).front();
+  const CurvatureField field = curvatures_in_balls(balls, x, u, BallPlan{{0.8}, 1, ball}).front();
   CurvatureField own = field;
   own.order = 0;
   for (CurvatureSample& s : own.samples) s.std_error = 0.1;

@@ -99,8 +99,8 @@ TEST(StoredData, LabelsAndStatusAreNumbersOfTheirKinds) {
   scan.fields[0].values = {0, 6, 7, -1, 2.5, kNaN};
   scan.fields[1].values = {0, 4, 5, -1, 0.5, kNaN};
   const ViewData data = stored_data(scan, stored_sets(scan).front());
-  EXPECT_EQ((std::vector<Label>{Label::Undefined, Label::Valley, Label::Undefined, Label::Undefined,
-                                Label::Undefined, Label::Undefined}),
+  EXPECT_EQ((std::vector<Label>{Label::Undefined, Label::Valley, Label::Undefined, Label::Undefined, Label::Undefined,
+                                Label::Undefined}),
             data.labels);
   EXPECT_EQ((std::vector<PointStatus>{PointStatus::Valid, PointStatus::Border, PointStatus::Invalid,
                                       PointStatus::Invalid, PointStatus::Invalid, PointStatus::Invalid}),

@@ -42,7 +42,7 @@ struct MeasureOptions {
   Engine engine = Engine::Tree;
 };
 
-/// @throws Error InvalidArgument if `refine` is out of range, or faces are to be refined and quads bilinear.
+/// @throws OptionError for `refine` that is out of range, or above 0 beside bilinear quads.
 void validate(const MeasureOptions& options);
 
 }  // namespace kappa

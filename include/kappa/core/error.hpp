@@ -31,7 +31,8 @@ class Error : public std::runtime_error {
 /// An option that is out of its range or does not go with another one; code InvalidArgument.
 class OptionError : public Error {
  public:
-  /// The message is "`option` `reason`", such as "min_coverage needs balls: it has no meaning at radius 0".
+  /// The message is option, a blank, and reason, such as "min_coverage needs balls: it has no meaning at radius 0".
+  /// Other members that the reason names stand in backticks, so that a program finds them, too.
   OptionError(const std::string& option, const std::string& reason)
       : Error(ErrorCode::InvalidArgument, option + " " + reason), option_(option), reason_(reason) {}
   /// The member of the options struct that is at fault, by which a program finds its own name for it.
